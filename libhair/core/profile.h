@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <iosfwd>
+#include <string_view>
+#include <vector>
+
+namespace hair {
+
+/// The stages of a frame, in the order they run.
+enum class Stage {
+  Motion,
+  Guides,
+  Wisps,
+  SelfCollision,
+  Deposit,
+  Transmittance,
+  Filter,
+  Shade,
+  Draw,
+};
+inline constexpr std::size_t kStageCount = 9;
+
+/// The name a profile prints: "motion", "guides", ...
+std::string_view stageName(Stage stage);
+
+struct StageTime {
+  std::int64_t nanoseconds = 0;
+  std::int64_t items = 0;  ///< points, cells, ... whatever the stage works through
+};
+
+/// What one frame cost, by stage. Always filled; a stage that did not run stays zero.
+using FrameProfile = std::array<StageTime, kStageCount>;
+
+/// Adds the time of its own life, and the items, to one stage of a profile.
+class StageTimer {
+ public:
+  StageTimer(FrameProfile& profile, Stage stage, std::int64_t items)
+      : time_(profile[static_cast<std::size_t>(stage)]), start_(Clock::now()) {
+    time_.items += items;
+  }
+  ~StageTimer() {
+    time_.nanoseconds +=
+        std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start_).count();
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  StageTime& time_;
+  Clock::time_point start_;
+};
+
+/// Profiles of many frames, and what they say together.
+class ProfileLog {
+ public:
+  void add(const FrameProfile& frame) { frames_.push_back(frame); }
+  std::size_t frameCount() const { return frames_.size(); }
+  /// Over the frames: quantile q in [0, 1] of a stage's time, milliseconds.
+  double milliseconds(Stage stage, double q) const;
+  /// The same for the sum of the stages `from` to `to` of each frame.
+  double milliseconds(Stage from, Stage to, double q) const;
+  /// CSV: stage,items,ms_median,ms_p95, one row a stage that ran, then `total`.
+  void writeCsv(std::ostream& out) const;
+
+ private:
+  std::vector<FrameProfile> frames_;
+};
+
+}  // namespace hair

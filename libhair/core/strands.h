@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace hair {
+
+/// Read-only view of strands, root first. Strand s owns points[first[s] .. first[s + 1]).
+/// Every pass of the library takes this, so that a caller can bring arrays of its own.
+struct StrandView {
+  std::span<const glm::vec3> points;     ///< [pointCount], metres
+  std::span<const std::uint32_t> first;  ///< [strandCount + 1], first[0] = 0, never decreasing
+
+  std::size_t strandCount() const { return first.empty() ? 0 : first.size() - 1; }
+  std::size_t pointCount() const { return points.size(); }
+  std::span<const glm::vec3> strand(std::size_t s) const {
+    return points.subspan(first[s], first[s + 1] - first[s]);
+  }
+};
+
+/// Strands that own their arrays: flat, so that a strand is a range and not an object.
+struct StrandSet {
+  std::vector<glm::vec3> points;           ///< [pointCount], metres, root to tip
+  std::vector<std::uint32_t> first = {0};  ///< [strandCount + 1]
+
+  std::size_t strandCount() const { return first.size() - 1; }
+  std::size_t pointCount() const { return points.size(); }
+  std::size_t segmentCount() const;
+  std::span<const glm::vec3> strand(std::size_t s) const { return view().strand(s); }
+  std::span<glm::vec3> strand(std::size_t s) {
+    return std::span(points).subspan(first[s], first[s + 1] - first[s]);
+  }
+  void append(std::span<const glm::vec3> strandPoints);
+  StrandView view() const { return {points, first}; }
+  operator StrandView() const { return view(); }
+};
+
+/// The door of the library: throws Error unless offsets are monotone and end at the point count,
+/// every strand has at least `minPoints` points, and every coordinate is finite and below 1e8 m.
+/// `name` says in the message whose strands these are (a file, an argument).
+void validate(StrandView strands, std::string_view name, std::size_t minPoints = 1);
+
+/// Length along the polyline, metres.
+float arcLength(std::span<const glm::vec3> points);
+
+struct Bounds {
+  glm::vec3 lower{INFINITY}, upper{-INFINITY};
+
+  void extend(glm::vec3 p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
+  glm::vec3 centre() const { return 0.5f * (lower + upper); }
+  glm::vec3 size() const { return upper - lower; }
+};
+
+Bounds bounds(std::span<const glm::vec3> points);
+
+}  // namespace hair

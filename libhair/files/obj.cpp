@@ -1,0 +1,1 @@
+#include <libhair/files/obj.h>
