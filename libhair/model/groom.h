@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <libhair/core/strands.h>
+
+namespace hair {
+
+/// What a drawn strand stands for. A picture draws thousands of strands for a hundred thousand
+/// hairs; each then blocks the light of all the hairs it stands for.
+struct Fibre {
+  float width = 80e-6f;         ///< of one hair, metres; human hair: 50e-6 to 100e-6
+  float opacity = 0.6f;         ///< of one hair to the light, (0, 1]
+  float hairsPerStrand = 30.f;  ///< hairs that one drawn strand stands for, >= 1
+};
+
+/// A hairstyle at rest: guide strands, which are simulated, and how drawn strands follow them
+/// (Bertails et al. 2005, section 4.1; SIGGRAPH 2010 course, "Creating hair from guide strands").
+///
+/// Space: *head space*. Metres, +Y up, +Z where the face looks, origin at the joint on which the
+/// head turns (the top of the neck).
+///
+/// A drawn strand s with n points is, at its point k,
+///
+///   sum_j weights[s][j] * G_j(k)  +  F(k) * offsets[first[s] + k]
+///
+/// where G_j is the Catmull-Rom curve through the points of guide parents[s][j], sampled evenly in
+/// its parameter from root (k = 0) to tip (k = n - 1), and F(k) = (normal, binormal, tangent) is
+/// the frame carried by parallel transport along the first of the three, the *main* guide.
+struct Groom {
+  std::uint32_t pointsPerGuide = 16;   ///< root and tip included, >= 3
+  std::vector<glm::vec3> guidePoints;  ///< [guideCount · pointsPerGuide], root first
+
+  std::vector<std::uint32_t> first = {0};  ///< [strandCount + 1], as in StrandView
+  std::vector<glm::uvec3> parents;         ///< [strandCount], guide indices; [0] is the main guide
+  std::vector<glm::vec3> weights;          ///< [strandCount], sum 1
+  std::vector<glm::vec3>
+      offsets;  ///< [pointCount], metres in the main guide's frame, or empty: none
+
+  Fibre fibre;
+
+  std::size_t guideCount() const { return guidePoints.size() / pointsPerGuide; }
+  std::size_t strandCount() const { return parents.size(); }
+  std::size_t pointCount() const { return first.back(); }
+  std::span<const glm::vec3> guide(std::size_t g) const {
+    return std::span(guidePoints).subspan(g * pointsPerGuide, pointsPerGuide);
+  }
+};
+
+}  // namespace hair
