@@ -7,17 +7,6 @@
 
 namespace hair {
 
-namespace {
-
-float distanceTo(const Capsule& c, glm::vec3 p) {
-  const glm::vec3 axis = c.b - c.a;
-  const float axis2 = glm::dot(axis, axis);
-  const float t = axis2 > 0 ? glm::clamp(glm::dot(p - c.a, axis) / axis2, 0.0f, 1.0f) : 0.0f;
-  return glm::distance(p, c.a + t * axis) - c.radius;
-}
-
-}  // namespace
-
 GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settings,
                          std::span<const Capsule> capsules, const MeshSdf* head) {
   GuideStats stats;
@@ -36,7 +25,7 @@ GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settin
                              static_cast<double>(glm::dot(v, v));
       if (i == 0) continue;
       for (const Capsule& c : capsules)
-        stats.penetrationMax = std::max(stats.penetrationMax, -distanceTo(c, p));
+        stats.penetrationMax = std::max(stats.penetrationMax, -distanceAndGradient(c, p).w);
       if (head)
         stats.penetrationMax =
             std::max(stats.penetrationMax, std::min(0.0f, guides.clearance[at][lane]) -
