@@ -55,6 +55,6 @@ void writeStrands(const std::filesystem::path& file, StrandView strands);
 
 /// Removes strands of fewer than `minPoints` points or shorter than `minLength` metres; returns
 /// how many. Loaders keep what a file says; simulation and drawing want strands with a direction.
-std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-4f, std::size_t minPoints = 2);
+std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-3f, std::size_t minPoints = 2);
 
 }  // namespace hair
