@@ -94,6 +94,34 @@ TEST(StrandFile, EveryFormatHasItsDefaultAndOptionsOverrideIt) {
   EXPECT_EQ(data.strands.strandCount(), 3u);
 }
 
+TEST(StrandFile, EveryArrayOfAHairFileComesAlongInMetres) {
+  const TemporaryFolder folder;
+  const HairFile sample = sampleHair();
+  writeHair(folder / "a.hair", sample);
+  StrandFile read = readStrands(folder / "a.hair", {.scale = 0.5f});
+  EXPECT_EQ(read.thickness[3], 0.5f * sample.thickness[3]);
+  EXPECT_EQ(read.defaultThickness, 0.5f * sample.defaultThickness);
+  EXPECT_EQ(read.transparency, sample.transparency);
+  EXPECT_EQ(read.colours, sample.colours);
+
+  writeStrands(folder / "b.hair", read);
+  const StrandFile again = readStrands(folder / "b.hair");
+  EXPECT_EQ(again.strands.points, read.strands.points);
+  EXPECT_EQ(again.thickness, read.thickness);
+  EXPECT_EQ(again.transparency, read.transparency);
+  EXPECT_EQ(again.colours, read.colours);
+  EXPECT_EQ(again.defaultThickness, read.defaultThickness);
+  EXPECT_EQ(again.defaultTransparency, read.defaultTransparency);
+  EXPECT_EQ(again.defaultColour, read.defaultColour);
+
+  // The middle strand has one point only; what belongs to the others stays with them.
+  EXPECT_EQ(dropDegenerate(read), 1u);
+  EXPECT_EQ(read.strands.first, (std::vector<std::uint32_t>{0, 3, 5}));
+  EXPECT_EQ(read.thickness, (std::vector<float>{0.5f, 1, 1.5f, 2.5f, 3}));
+  EXPECT_EQ(read.transparency, (std::vector<float>{0, 0.1f, 0.2f, 0.4f, 0.5f}));
+  EXPECT_EQ(read.colours.size(), 5u);
+}
+
 TEST(StrandFile, ErrorsNameFileAndCause) {
   const TemporaryFolder folder;
   const auto error = [](const std::filesystem::path& file, ReadOptions options = {}) {
