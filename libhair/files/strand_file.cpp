@@ -46,6 +46,22 @@ glm::mat3 libraryFromFile(UpAxis up) {
   return glm::mat3(1);
 }
 
+// Moves what belongs to the kept strands to the front; nothing ever moves towards the end.
+template <class T>
+void keepStrands(std::vector<T>& items, const std::vector<std::uint32_t>& first,
+                 const std::vector<std::uint32_t>& kept) {
+  auto to = items.begin();
+  for (std::uint32_t s : kept)
+    to = std::copy(items.begin() + first[s], items.begin() + first[s + 1], to);
+  items.erase(to, items.end());
+}
+
+void keepOffsets(std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& kept) {
+  std::vector<std::uint32_t> result = {0};
+  for (std::uint32_t s : kept) result.push_back(result.back() + first[s + 1] - first[s]);
+  first = std::move(result);
+}
+
 }  // namespace
 
 UpAxis upAxisFromText(std::string_view text) {
@@ -79,8 +95,6 @@ StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& opt
   StrandFile result;
   if (extension == ".hair") {
     HairFile hair = readHair(file);
-    result.format = "hair";
-    result.arrays = "points";
     if (!hair.thickness.empty()) result.arrays += ", thickness";
     if (!hair.transparency.empty()) result.arrays += ", transparency";
     if (!hair.colours.empty()) result.arrays += ", colours";
@@ -88,6 +102,12 @@ StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& opt
       result.scale = kYukselScale;
       result.up = UpAxis::Z;
     }
+    result.thickness = std::move(hair.thickness);
+    result.transparency = std::move(hair.transparency);
+    result.colours = std::move(hair.colours);
+    result.defaultThickness = hair.defaultThickness;
+    result.defaultTransparency = hair.defaultTransparency;
+    result.defaultColour = hair.defaultColour;
     result.strands = std::move(hair.strands);
   } else if (extension == ".tfx") {
     TfxFile tfx = readTfx(file);
@@ -97,7 +117,6 @@ StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& opt
     result.strands = std::move(tfx.strands);
   } else if (extension == ".data") {
     result.format = "data";
-    result.arrays = "points";
     result.strands = readData(file);
   } else {
     throw Error(text(file.string(), ": unknown format '", extension,
@@ -107,34 +126,58 @@ StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& opt
   if (options.up != UpAxis::AsFile) result.up = options.up;
   if (result.scale != 1 || result.up != UpAxis::Y)
     convertUnits(result.strands.points, result.scale, result.up);
+  for (float& t : result.thickness) t *= result.scale;
+  result.defaultThickness *= result.scale;
   validate(result.strands, file.string(), 0);
   return result;
 }
 
 void writeStrands(const std::filesystem::path& file, StrandView strands) {
-  HairFile hair;
-  hair.strands.points.assign(strands.points.begin(), strands.points.end());
-  hair.strands.first.assign(strands.first.begin(), strands.first.end());
-  hair.info = kMetresYUp;
-  writeHair(file, hair);
+  StrandFile whole;
+  whole.strands.points.assign(strands.points.begin(), strands.points.end());
+  whole.strands.first.assign(strands.first.begin(), strands.first.end());
+  writeStrands(file, whole);
+}
+
+void writeStrands(const std::filesystem::path& file, const StrandFile& strands) {
+  writeHair(file, {.strands = strands.strands,
+                   .thickness = strands.thickness,
+                   .transparency = strands.transparency,
+                   .colours = strands.colours,
+                   .defaultThickness = strands.defaultThickness,
+                   .defaultTransparency = strands.defaultTransparency,
+                   .defaultColour = strands.defaultColour,
+                   .info = std::string(kMetresYUp)});
+}
+
+std::vector<std::uint32_t> soundStrands(StrandView strands, float minLength,
+                                        std::size_t minPoints) {
+  std::vector<std::uint32_t> sound;
+  for (std::size_t s = 0; s < strands.strandCount(); ++s) {
+    const auto points = strands.strand(s);
+    if (points.size() >= minPoints && arcLength(points) >= minLength)
+      sound.push_back(static_cast<std::uint32_t>(s));
+  }
+  return sound;
 }
 
 std::size_t dropDegenerate(StrandSet& strands, float minLength, std::size_t minPoints) {
-  const std::size_t before = strands.strandCount();
-  // In place: what is kept never moves towards the end.
-  std::vector<std::uint32_t> first = {0};
-  std::size_t to = 0;
-  for (std::size_t s = 0; s < before; ++s) {
-    const auto points = strands.strand(s);
-    if (points.size() < minPoints || arcLength(points) < minLength) continue;
-    std::copy(points.begin(), points.end(),
-              strands.points.begin() + static_cast<std::ptrdiff_t>(to));
-    to += points.size();
-    first.push_back(static_cast<std::uint32_t>(to));
-  }
-  strands.points.resize(to);
-  strands.first = std::move(first);
-  return before - strands.strandCount();
+  const auto kept = soundStrands(strands, minLength, minPoints);
+  const std::size_t dropped = strands.strandCount() - kept.size();
+  keepStrands(strands.points, strands.first, kept);
+  keepOffsets(strands.first, kept);
+  return dropped;
+}
+
+std::size_t dropDegenerate(StrandFile& file, float minLength, std::size_t minPoints) {
+  const auto kept = soundStrands(file.strands, minLength, minPoints);
+  const std::size_t dropped = file.strands.strandCount() - kept.size();
+  for (auto* array : {&file.thickness, &file.transparency})
+    if (!array->empty()) keepStrands(*array, file.strands.first, kept);
+  if (!file.colours.empty()) keepStrands(file.colours, file.strands.first, kept);
+  keepStrands(file.strands.points, file.strands.first, kept);
+  keepOffsets(file.strands.first, kept);
+  return dropped;
 }
 
 }  // namespace hair

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <libhair/core/strands.h>
 
@@ -36,11 +38,17 @@ struct ReadOptions {
 
 /// Strands of any format, converted, and what was done to them.
 struct StrandFile {
-  StrandSet strands;      ///< metres, +Y up, +Z face; short strands are kept
-  std::string format;     ///< "hair", "tfx" or "data"
-  std::string arrays;     ///< what the file holds: "points, colours"
-  float scale = 1;        ///< metres per unit that was applied
-  UpAxis up = UpAxis::Y;  ///< axes that were assumed; never AsFile
+  StrandSet strands;                ///< metres, +Y up, +Z face; short strands are kept
+  std::string format = "hair";      ///< "hair", "tfx" or "data"
+  std::string arrays = "points";    ///< what the file holds: "points, colours"
+  float scale = 1;                  ///< metres per unit that was applied
+  UpAxis up = UpAxis::Y;            ///< axes that were assumed; never AsFile
+  std::vector<float> thickness;     ///< [pointCount] or empty; diameters, metres
+  std::vector<float> transparency;  ///< [pointCount] or empty; 0 opaque, 1 invisible
+  std::vector<glm::vec3> colours;   ///< [pointCount] or empty; linear RGB
+  float defaultThickness = 0;       ///< where there is no array, metres; 0: not stated
+  float defaultTransparency = 0;    ///< where there is no array
+  glm::vec3 defaultColour{0};       ///< where there is no array; black: not stated
 };
 
 /// Picks the format by the extension (.hair, .tfx, .data; any case), reads, converts into metres
@@ -52,9 +60,16 @@ StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& opt
 /// Writes .hair in metres, +Y up, and says so in the info text, which readStrands understands:
 /// reading it back gives the same bits. Throws Error.
 void writeStrands(const std::filesystem::path& file, StrandView strands);
+/// The same with all optional arrays and defaults.
+void writeStrands(const std::filesystem::path& file, const StrandFile& strands);
 
-/// Removes strands of fewer than `minPoints` points or shorter than `minLength` metres; returns
-/// how many. Loaders keep what a file says; simulation and drawing want strands with a direction.
-std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-4f, std::size_t minPoints = 2);
+/// Which strands have at least `minPoints` points and `minLength` metres.
+std::vector<std::uint32_t> soundStrands(StrandView strands, float minLength = 1e-3f,
+                                        std::size_t minPoints = 2);
+
+/// Removes all but the sound strands; returns how many went. Loaders keep what a file says;
+/// simulation and drawing want strands with a direction. Of a StrandFile the arrays follow.
+std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-3f, std::size_t minPoints = 2);
+std::size_t dropDegenerate(StrandFile& file, float minLength = 1e-3f, std::size_t minPoints = 2);
 
 }  // namespace hair
