@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <libhair/core/strands.h>
 
@@ -13,13 +14,13 @@ namespace hair {
 enum class UpAxis {
   AsFile,  ///< the format's default: .hair Z, .tfx and .data Y
   Y,       ///< +Y up, +Z face: nothing to do
-  Z,       ///< +Z up, +Y face (Yuksel's hair models):  (x, y, z) -> (-x, z, y)
-  X,       ///< +X up, +Z face:                         (x, y, z) -> (-y, x, z)
-  MinusY,  ///< -Y up, +Z face (images' axes):          (x, y, z) -> (-x, -y, z)
-  MinusZ,  ///< -Z up, +Y face:                         (x, y, z) -> (x, -z, y)
+  Z,       ///< +Z up, +Y face (Yuksel's hair models): (x, y, z) -> (-x, z, y)
+  ZBack,   ///< +Z up, -Y face (Blender, 3ds Max):     (x, y, z) -> (x, z, -y)
+  X,       ///< +X up, +Z face:                        (x, y, z) -> (-y, x, z)
+  MinusY,  ///< -Y up, +Z face (turned over):          (x, y, z) -> (-x, -y, z)
 };
 
-/// `y`, `z`, `x`, `-y`, `-z`, or `file`, as `--up` takes them. Throws Error with the choices.
+/// `file`, `y`, `z`, `z-back`, `x`, `-y`, as `--up` takes them. Throws Error with the choices.
 UpAxis upAxisFromText(std::string_view text);
 std::string_view upAxisText(UpAxis up);
 
@@ -54,6 +55,6 @@ void writeStrands(const std::filesystem::path& file, StrandView strands);
 
 /// Removes strands of fewer than `minPoints` points or shorter than `minLength` metres; returns
 /// how many. Loaders keep what a file says; simulation and drawing want strands with a direction.
-std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-4f, std::size_t minPoints = 2);
+std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-3f, std::size_t minPoints = 2);
 
 }  // namespace hair
