@@ -76,7 +76,7 @@ glm::vec3 combDirection(const StyleSettings& settings, glm::vec3 p, glm::vec3 n,
 Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 root,
             std::uint32_t wisp, float knownLength) {
   const auto random = [&](Use use) { return 2 * uniform(wisp, use, settings.seed) - 1; };
-  const float lie = 1 + 0.35f * random(Lie);
+  const float lie = 1 + 0.2f * random(Lie);
   const float phase = kPi * random(WavePhase), wave = 0.16f * (1 + 0.3f * random(WaveLength));
   const float vary = 1 + settings.lengthVariation * random(Length);
   const bool turnsIn = std::isfinite(knownLength);
@@ -99,10 +99,14 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
     const glm::vec3 side = glm::cross(direction, n);
     wanted += settings.waviness * std::sin(2 * kPi * s / wave + phase) *
               glm::smoothstep(0.03f, 0.12f, s) * side;
+    // Below the jaw it gathers around the neck.
+    const glm::vec3 inwards(-p.x, 0, -0.03f - p.z);
+    const float gather =
+        (1 - glm::smoothstep(0.0f, 0.09f, p.y)) * glm::smoothstep(-0.16f, -0.08f, p.y);
+    wanted += 2.2f * gather * glm::smoothstep(0.0f, 0.05f, here.w - clearance) * inwards;
     if (turnsIn) {
       const float tip = glm::smoothstep(0.7f * limit, limit, s);
-      wanted += settings.turnIn * 1.6f * tip *
-                glm::normalize(glm::vec3(-p.x, 0, -0.03f - p.z) + glm::vec3(0, 0, 1e-6f));
+      wanted += settings.turnIn * 1.6f * tip * glm::normalize(inwards + glm::vec3(0, 0, 1e-6f));
     }
     direction = glm::normalize(glm::mix(direction, glm::normalize(wanted), kStep / 0.012f));
     p += kStep * direction;
@@ -119,7 +123,7 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
     growth.points.push_back(p);
     growth.length = s;
     if (!turnsIn && s > settings.minLength * vary) {
-      const float back = glm::smoothstep(1.2f, 2.2f, azimuth(p));
+      const float back = glm::smoothstep(2.0f, 2.9f, azimuth(p));
       const float cut = glm::mix(settings.cutHeightFront, settings.cutHeightBack, back);
       if (p.y < cut + 0.006f * random(Cut)) break;
     }

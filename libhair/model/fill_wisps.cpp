@@ -56,7 +56,7 @@ glm::vec3 deviation(const StyleSettings& settings, std::uint32_t strand, float u
   }
   if (random(HasWhole) < settings.wholeShare) {
     const float wave =
-        std::sin(kTurn * (random(DeviationPhase) + 1.3f * u)) * std::min(4 * u, 1.0f);
+        std::sin(kTurn * (random(DeviationPhase) + 1.3f * u)) * glm::smoothstep(0.1f, 0.6f, u);
     d += settings.wholeDeviation * (0.4f + 0.6f * random(DeviationSize)) *
          (wave * side + 0.8f * u * glm::vec3(-side.y, side.x, 0));
   }
@@ -126,7 +126,7 @@ void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
         local += deviation(settings, strand, u);
         if (settings.curlRadius > 0)
           local += curl(settings, parents.x, strand, u * guideLength[parents.x]);
-        glm::vec3 p = glm::mix(base, main, settings.clump * u) + frame * local;
+        glm::vec3 p = glm::mix(base, main, settings.clump * u * std::sqrt(u)) + frame * local;
         if (k > 0) {
           const float along = u * guideLength[parents.x];
           p = outOfFace(p);
