@@ -73,7 +73,7 @@ float faceDistance(vec3 p) {
   d = join(d, ellipsoid(p, {0, -3, 76}, {13, 13, 14}), 20);   // chin
   d = join(d, ellipsoid(p, {38, 64, 58}, {19, 16, 22}), 24);  // cheekbone
   d = join(d, ellipsoid(p, {26, 36, 56}, {20, 26, 26}), 24);  // cheek
-  d = join(d, limb(p, {9, 94, 88}, {38, 97, 71}, 5, 5), 20);  // brow
+  d = join(d, limb(p, {0, 93, 90}, {38, 97, 71}, 4, 5), 20);  // brow
   return d;
 }
 
@@ -81,16 +81,17 @@ float carvedFaceDistance(vec3 p, float d) {
   d = carve(d, ellipsoid(p, {28, 81, 102}, {16, 10, 17}), 14);                // eye socket
   d = join(d, ellipsoid(p, {30, 80.5f, 73.5f}, {14, 12, 12.5f}), 4);          // closed eye
   d = carve(d, limb(p, {19, 76.5f, 87}, {40, 77.5f, 81.5f}, 0.9f, 0.9f), 3);  // lid line
-  float nose = limb(p, {0, 90, 92}, {0, 62, 106}, 4.5f, 6);
-  nose = join(nose, ellipsoid(p, {0, 59, 107}, {7.5f, 6.5f, 8}), 8);
+  float nose = limb(p, {0, 90, 92}, {0, 64, 107}, 4.5f, 6.2f);
+  nose = join(nose, ellipsoid(p, {0, 60.5f, 106.5f}, {7, 6, 7.5f}), 8);
   nose = join(nose, ellipsoid(p, {8, 56.5f, 99}, {5.5f, 5, 8}), 7);
+  nose = join(nose, limb(p, {0, 57, 104}, {0, 50, 95}, 4, 3), 5);
   d = join(d, nose, 12);
-  d = carve(d, ellipsoid(p, {5, 50.5f, 103}, {2.5f, 2.5f, 3.5f}), 4);  // nostril
+  d = carve(d, ellipsoid(p, {5, 50, 103}, {2.2f, 2, 3}), 4);  // nostril
   float mouth = ellipsoid(p, {0, 31, 78}, {27, 22, 16});
-  float lips = ellipsoid(p, {6, 35.2f, 91}, {13, 3.6f, 5.5f});
+  float lips = ellipsoid(p, {3, 35.4f, 90.5f}, {15, 3.6f, 5.5f});
   lips = join(lips, ellipsoid(p, {0, 27.5f, 91}, {15, 4.6f, 6}), 2);
   mouth = join(mouth, lips, 5);
-  mouth = carve(mouth, limb(p, {0, 31.6f, 97.5f}, {21, 32.6f, 89}, 0.8f, 0.8f), 3);
+  mouth = carve(mouth, limb(p, {0, 31.6f, 97.5f}, {16, 32.2f, 92.5f}, 1, 0.1f), 4);
   d = join(d, mouth, 14);
   return carve(d, limb(p, {0, 17, 98}, {9, 17, 96}, 3, 2), 10);  // below the lower lip
 }
@@ -102,7 +103,7 @@ float distanceMillimetres(vec3 p) {
   const float neck = limb(p, {0, -130, -12}, {0, 45, -17}, 53, 43);
   d = join(d, neck, 22);
   d = join(d, earDistance(p), 6);
-  return carve(d, p.y - kNeckCut, 6);
+  return carve(d, p.y - kNeckCut, 14);
 }
 
 // Height of the hairline (millimetres) over the azimuth: 0 at the face, 180 degrees at the back.
@@ -143,16 +144,16 @@ float scalpMask(vec3 point) {
 
 Head builtinHead() {
   // Cells are finer where the face is: the grid is regular in a space that `bent` maps to the head.
-  const Bounds grid{{-0.1f, -0.17f, -0.13f}, {0.1f, 0.16f, 0.13f}};
+  const Bounds grid{{-0.1f, -0.175f, -0.13f}, {0.1f, 0.165f, 0.13f}};
   const auto bent = [](vec3 q) {
     const auto about = [](float v, float reach) {
       const float r = v / reach;
-      return v * (0.68f + 0.4f * r * r);
+      return v * (0.76f + 0.24f * r * r);
     };
     const float t = (q.z + 0.13f) / 0.26f;
     return vec3(about(q.x, 0.1f), 0.055f + about(q.y, 0.16f), q.z + 0.26f * 0.38f * t * (1 - t));
   };
-  Head head{surfaceNets([&](vec3 q) { return headField(bent(q)); }, grid, 0.0048f)};
+  Head head{surfaceNets([&](vec3 q) { return headField(bent(q)); }, grid, 0.0045f)};
   for (std::size_t v = 0; v < head.mesh.positions.size(); ++v) {
     vec3& p = head.mesh.positions[v];
     p = bent(p);

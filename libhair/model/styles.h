@@ -34,13 +34,16 @@ struct StyleSettings {
 
   // How it lies.
   Parting parting;
-  float volume = 0.016f;   ///< how far the uppermost hair lies from the head
-  float rootLift = 0.3f;   ///< 0: hair leaves the scalp flat, 1: at 45 degrees
-  float waviness = 0.35f;  ///< radians that wisps swing from side to side
-  float turnIn = 0.5f;     ///< how much the tips turn to the neck, 0 to 1
+  float partingJitter = 0;    ///< how far from it wisps still fall to either side
+  float partAtShoulders = 0;  ///< 0: hair lies on them, 1: it falls before or behind them
+  float volume = 0.016f;      ///< how far the uppermost hair lies from the head
+  float rootLift = 0.3f;      ///< 0: hair leaves the scalp flat, 1: at 45 degrees
+  float waviness = 0.35f;     ///< radians that wisps swing from side to side
+  float turnIn = 0.5f;        ///< how much the tips turn to the neck, 0 to 1
 
   // How drawn strands fill a wisp.
-  float clump = 0.65f;      ///< how far they come together at the tips, 0 to 1
+  float clump = 0.65f;      ///< how far they come together, 0 to 1
+  float clumpBy = 1;        ///< by which share of the length they have
   float spread = 0.75f;     ///< what is left of a root's place in its wisp at the tip, 0 to 1
   float curlRadius = 0;     ///< 0: no curls
   float curlPitch = 0.03f;  ///< along the guide, a turn
