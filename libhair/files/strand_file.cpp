@@ -18,12 +18,13 @@ namespace {
 constexpr std::string_view kMetresYUp = "libhair: metres, +Y up, +Z face";
 constexpr float kYukselScale = 0.00465f;  // of straight.hair: a head of 9.5 cm radius
 
-constexpr std::array<std::pair<std::string_view, UpAxis>, 6> kUpNames = {{{"file", UpAxis::AsFile},
-                                                                          {"y", UpAxis::Y},
-                                                                          {"z", UpAxis::Z},
-                                                                          {"z-back", UpAxis::ZBack},
-                                                                          {"x", UpAxis::X},
-                                                                          {"-y", UpAxis::MinusY}}};
+constexpr std::array<std::pair<std::string_view, UpAxis>, 6> kUpNames = {
+    {{"file", UpAxis::AsFile},
+     {"y", UpAxis::Y},
+     {"z", UpAxis::Z},
+     {"z-back", UpAxis::ZBack},
+     {"x", UpAxis::X},
+     {"y-down", UpAxis::YDown}}};
 
 // Rows: the library's x, y, z as combinations of the file's. Entries 0, 1, -1: exact in floats.
 glm::mat3 libraryFromFile(UpAxis up) {
@@ -37,7 +38,7 @@ glm::mat3 libraryFromFile(UpAxis up) {
       return rows({1, 0, 0}, {0, 0, 1}, {0, -1, 0});
     case UpAxis::X:
       return rows({0, -1, 0}, {1, 0, 0}, {0, 0, 1});
-    case UpAxis::MinusY:
+    case UpAxis::YDown:
       return rows({-1, 0, 0}, {0, -1, 0}, {0, 0, 1});
     case UpAxis::AsFile:
     case UpAxis::Y:
@@ -67,12 +68,30 @@ void keepOffsets(std::vector<std::uint32_t>& first, const std::vector<std::uint3
 UpAxis upAxisFromText(std::string_view text) {
   for (const auto& [name, up] : kUpNames)
     if (text == name) return up;
-  throw Error(hair::text("up axis '", text, "': choose file, y, z, z-back, x or -y"));
+  throw Error(hair::text("up axis '", text, "': choose file, y, z, z-back, x or y-down"));
 }
 
 std::string_view upAxisText(UpAxis up) {
   for (const auto& [name, value] : kUpNames)
     if (up == value) return name;
+  return "?";
+}
+
+std::string_view upAxisMeaning(UpAxis up) {
+  switch (up) {
+    case UpAxis::AsFile:
+      return "the format's axes";
+    case UpAxis::Y:
+      return "+Y up, +Z face";
+    case UpAxis::Z:
+      return "+Z up, +Y face";
+    case UpAxis::ZBack:
+      return "+Z up, -Y face";
+    case UpAxis::X:
+      return "+X up, +Z face";
+    case UpAxis::YDown:
+      return "-Y up, +Z face";
+  }
   return "?";
 }
 

@@ -19,12 +19,14 @@ enum class UpAxis {
   Z,       ///< +Z up, +Y face (Yuksel's hair models): (x, y, z) -> (-x, z, y)
   ZBack,   ///< +Z up, -Y face (Blender, 3ds Max):     (x, y, z) -> (x, z, -y)
   X,       ///< +X up, +Z face:                        (x, y, z) -> (-y, x, z)
-  MinusY,  ///< -Y up, +Z face (turned over):          (x, y, z) -> (-x, -y, z)
+  YDown,   ///< -Y up, +Z face (turned over):          (x, y, z) -> (-x, -y, z)
 };
 
-/// `file`, `y`, `z`, `z-back`, `x`, `-y`, as `--up` takes them. Throws Error with the choices.
+/// `file`, `y`, `z`, `z-back`, `x`, `y-down`, as `--up` takes them. Throws Error with the choices.
 UpAxis upAxisFromText(std::string_view text);
 std::string_view upAxisText(UpAxis up);
+/// For people: "+Z up, +Y face".
+std::string_view upAxisMeaning(UpAxis up);
 
 /// Into metres and +Y up, +Z face: rotates, then scales, in place. `scale`: metres per unit.
 void convertUnits(std::span<glm::vec3> points, float scale, UpAxis up);

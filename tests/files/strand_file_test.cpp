@@ -8,7 +8,7 @@
 namespace hair {
 namespace {
 
-constexpr UpAxis kAllUps[] = {UpAxis::Y, UpAxis::Z, UpAxis::ZBack, UpAxis::X, UpAxis::MinusY};
+constexpr UpAxis kAllUps[] = {UpAxis::Y, UpAxis::Z, UpAxis::ZBack, UpAxis::X, UpAxis::YDown};
 
 glm::vec3 converted(glm::vec3 p, float scale, UpAxis up) {
   convertUnits({&p, 1}, scale, up);
@@ -40,7 +40,7 @@ TEST(ConvertUnits, BringsUpToYAndTheFaceToZ) {
   const std::tuple<UpAxis, glm::vec3, glm::vec3> cases[] = {
       {UpAxis::Y, {0, 1, 0}, {0, 0, 1}},       {UpAxis::Z, {0, 0, 1}, {0, 1, 0}},
       {UpAxis::ZBack, {0, 0, 1}, {0, -1, 0}},  {UpAxis::X, {1, 0, 0}, {0, 0, 1}},
-      {UpAxis::MinusY, {0, -1, 0}, {0, 0, 1}},
+      {UpAxis::YDown, {0, -1, 0}, {0, 0, 1}},
   };
   for (const auto& [up, upward, face] : cases) {
     SCOPED_TRACE(upAxisText(up));
