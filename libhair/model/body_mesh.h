@@ -13,7 +13,8 @@
 namespace hair {
 
 /// A tailor's dummy around a skeleton, to be drawn: trunk with neck, arms, legs as closed surfaces
-/// that overlap; no head. Skinned by blending the motion of up to four joints a vertex.
+/// that overlap; no head. Skinned linearly by up to four joints a vertex. A skeleton that is not
+/// understood (BodyMap::complete) gets its capsules, joint by joint.
 class BodyMesh {
  public:
   /// `cell`: edge of the grid that the surface is cut from, metres; triangles go as 1 / cell².
@@ -27,10 +28,23 @@ class BodyMesh {
   const TriangleMesh& rest() const { return rest_; }
 
  private:
+  /// Four joints of a vertex, as indices into carriers_, and how much each counts: sum 1.
+  struct Binding {
+    std::uint8_t carrier[4];
+    float weight[4];
+  };
+  struct Carrier {
+    int joint;
+    RigidTransform jointFromBody;  ///< rest stance
+  };
+  static constexpr std::size_t kMaxCarriers = 64;
+
+  struct Weights;
+  void add(const TriangleMesh& part, const Body& body, const std::vector<Weights>& weights);
+
   TriangleMesh rest_;
-  std::vector<RigidTransform> jointFromBody_;  ///< [jointCount], rest stance
-  std::vector<glm::u16vec4> joints_;           ///< [vertexCount]
-  std::vector<glm::vec4> weights_;             ///< [vertexCount], sum 1
+  std::vector<Binding> bindings_;  ///< [vertexCount]
+  std::vector<Carrier> carriers_;
 };
 
 }  // namespace hair

@@ -19,7 +19,7 @@ enum Use : std::uint32_t { Length = 0x200, WavePhase, WaveLength, Lie, Cut, Part
 constexpr std::array<Capsule, 5> kBust = {
     {{{0.035f, -0.165f, -0.025f}, {0.165f, -0.19f, -0.025f}, 0.045f},
      {{-0.035f, -0.165f, -0.025f}, {-0.165f, -0.19f, -0.025f}, 0.045f},
-     {{-0.07f, -0.27f, -0.02f}, {0.07f, -0.27f, -0.02f}, 0.105f},
+     {{-0.08f, -0.265f, -0.025f}, {0.08f, -0.265f, -0.025f}, 0.095f},
      {{-0.06f, -0.42f, -0.015f}, {0.06f, -0.42f, -0.015f}, 0.095f},
      {{0, -0.1f, -0.024f}, {0, -0.2f, -0.02f}, 0.052f}}};
 
@@ -83,7 +83,7 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
   if (settings.partingJitter > 0)
     parting.x = centre.x > parting.x ? std::min(parting.x, centre.x - 0.02f)
                                      : std::max(parting.x, centre.x + 0.02f);
-  const bool toFront = azimuth(centre) < 1.5f + 0.25f * random(Part);
+  const bool toFront = azimuth(centre) < 1.7f + 0.15f * random(Part);
   const float phase = kPi * random(WavePhase), wave = 0.16f * (1 + 0.3f * random(WaveLength));
   const float vary = 1 + settings.lengthVariation * random(Length);
   const bool turnsIn = std::isfinite(knownLength);
@@ -110,14 +110,17 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
     const glm::vec3 inwards(-p.x, 0, -0.03f - p.z);
     const float gather =
         (1 - glm::smoothstep(0.0f, 0.09f, p.y)) * glm::smoothstep(-0.16f, -0.08f, p.y);
-    wanted += 1.7f * gather * glm::smoothstep(0.0f, 0.05f, here.w - clearance) * inwards;
+    wanted += 1.7f * (1 - settings.partAtShoulders) * gather *
+              glm::smoothstep(0.0f, 0.05f, here.w - clearance) * inwards;
     // At the shoulders it parts, to fall before or behind them.
     const float low = 1 - glm::smoothstep(-0.22f, -0.13f, p.y);
-    const float parts = settings.partAtShoulders * (1 - glm::smoothstep(-0.03f, 0.04f, p.y));
-    const float toGo = toFront ? 0.04f + 0.065f * low - p.z : p.z + 0.09f + 0.03f * low;
+    const float parts = settings.partAtShoulders * (1 - glm::smoothstep(-0.06f, 0.04f, p.y));
+    const float toGo =
+        toFront ? 0.05f + 0.01f * random(Lie) + 0.035f * low - p.z : p.z + 0.09f + 0.03f * low;
     wanted.z += (toFront ? 1.0f : -1.0f) * parts * glm::smoothstep(0.0f, 0.04f, toGo);
     if (toFront)
-      wanted.x -= std::copysign(parts * glm::smoothstep(0.08f, 0.11f, std::abs(p.x)), p.x);
+      wanted.x -= std::copysign(
+          parts * glm::smoothstep(0.085f + 0.025f * random(Part), 0.14f, std::abs(p.x)), p.x);
     if (turnsIn) {
       const float tip = glm::smoothstep(0.7f * limit, limit, s);
       wanted += settings.turnIn * 1.6f * tip * glm::normalize(inwards + glm::vec3(0, 0, 1e-6f));

@@ -84,16 +84,12 @@ float carvedFaceDistance(vec3 p, float d) {
   float nose = limb(p, {0, 90, 92}, {0, 64, 107}, 4.5f, 6.2f);
   nose = join(nose, ellipsoid(p, {0, 60.5f, 106.5f}, {7, 6, 7.5f}), 8);
   nose = join(nose, ellipsoid(p, {8, 56.5f, 99}, {5.5f, 5, 8}), 7);
-  nose = join(nose, limb(p, {0, 57, 104}, {0, 50, 95}, 4, 3), 5);
   d = join(d, nose, 12);
-  d = carve(d, ellipsoid(p, {5, 50, 103}, {2.2f, 2, 3}), 4);  // nostril
-  float mouth = ellipsoid(p, {0, 31, 78}, {27, 22, 16});
-  float lips = ellipsoid(p, {3, 35.4f, 90.5f}, {15, 3.6f, 5.5f});
-  lips = join(lips, ellipsoid(p, {0, 27.5f, 91}, {15, 4.6f, 6}), 2);
-  mouth = join(mouth, lips, 5);
-  mouth = carve(mouth, limb(p, {0, 31.6f, 97.5f}, {16, 32.2f, 92.5f}, 1, 0.1f), 4);
-  d = join(d, mouth, 14);
-  return carve(d, limb(p, {0, 17, 98}, {9, 17, 96}, 3, 2), 10);  // below the lower lip
+  d = join(d, ellipsoid(p, {0, 31, 77}, {29, 25, 15.5f}), 16);  // around the mouth
+  float lips = ellipsoid(p, {0, 35, 90.5f}, {17, 4.6f, 5.5f});
+  lips = join(lips, ellipsoid(p, {0, 27.6f, 90}, {15, 5.6f, 6.3f}), 2);
+  d = join(d, lips, 6);
+  return carve(d, limb(p, {0, 31.6f, 97.6f}, {19, 32.6f, 92}, 0.8f, 0.4f), 7);
 }
 
 float distanceMillimetres(vec3 p) {

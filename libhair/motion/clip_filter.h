@@ -8,8 +8,8 @@
 namespace hair {
 
 struct FlipSettings {
-  float minDegrees = 3.0f;  ///< a jump smaller than this is never a flip
-  float ratio = 4.0f;       ///< how far it must stand out against the motion around it
+  float minDegrees = 1.2f;  ///< a jump smaller than this is never a flip
+  float ratio = 3.0f;       ///< how far it must stand out against the motion around it
   int maxFrames = 2;        ///< longest flip, frames
 };
 
@@ -22,7 +22,8 @@ struct Flip {
 };
 
 /// Finds flips (a joint's rotation leaves its path and returns to it within maxFrames) and replaces
-/// them by interpolation between the good frames at both sides. Fast motion that goes on is kept.
+/// them by interpolation between the good frames at both sides. Fast motion that goes on is kept,
+/// and so are jumps that stay. The first and last two frames are not judged.
 std::vector<Flip> removeFlips(Clip& clip, const FlipSettings& settings = {});
 
 }  // namespace hair

@@ -177,12 +177,11 @@ std::size_t leadInFrames(const Clip& clip) {
     turned[f] = sum / static_cast<float>(joints);
   }
   std::vector<float> usual(turned.begin() + kSearched, turned.end());
-  const auto high = usual.begin() + static_cast<std::ptrdiff_t>(usual.size() * 9 / 10);
-  std::nth_element(usual.begin(), high, usual.end());
-  const float limit = std::max(0.5f, 3.0f * *high);
-  std::size_t drop = 0;
-  for (std::size_t f = 0; f < kSearched; ++f)
-    if (turned[f] > limit) drop = f + 1;
+  const auto middle = usual.begin() + static_cast<std::ptrdiff_t>(usual.size() / 2);
+  std::nth_element(usual.begin(), middle, usual.end());
+  if (turned[0] < std::max(1.0f, 4.0f * *middle)) return 0;
+  std::size_t drop = 1;
+  while (drop < kSearched && turned[drop] > std::max(0.5f, 1.5f * *middle)) ++drop;
   return drop;
 }
 
