@@ -52,6 +52,8 @@ struct Hair {
   Repulsion repulsion;
   DensityMap map;
   std::vector<float> transmittance;    ///< [pointCount]; empty while shadows are off
+  std::vector<float> visibility;       ///< [pointCount], what head and body leave of the light; the
+                                       ///< caller's to fill, empty: all of it
   std::vector<std::uint32_t> colours;  ///< [pointCount] sRGB bytes (shadeKajiyaKay); or empty
   std::vector<Capsule> capsules;       ///< body at the end of the last frame
   double time = 0;                     ///< simulated seconds

@@ -19,8 +19,8 @@ FrameSettings frameSettings(const Subject& subject, const PerformanceOptions& op
   settings.light.direction = makeLightSpace(options.light).direction();
   const glm::vec3 headSize = bounds(subject.head.mesh.positions).size();
   settings.map.cells = options.cells;
-  settings.map.cellSize =
-      mapExtentNeeded(subject.longestStrand, std::min(0.3f, headSize.y)) / static_cast<float>(options.cells);
+  settings.map.cellSize = mapExtentNeeded(subject.longestStrand, std::min(0.3f, headSize.y)) /
+                          static_cast<float>(options.cells);
   return settings;
 }
 
@@ -50,7 +50,8 @@ void Performance::step() {
   time += 1 / fps_;
   if (!subject.motion.isLoop() && duration > 0 && time > duration) return restart();
   {
-    const StageTimer timer(profile, Stage::Motion, static_cast<std::int64_t>(pose.worldFromJoint.size()));
+    const StageTimer timer(profile, Stage::Motion,
+                           static_cast<std::int64_t>(pose.worldFromJoint.size()));
     subject.motion.pose(time, pose);
   }
   frame({pose.worldFromHead, pose.capsules}, settings, static_cast<float>(1 / fps_), hair, profile);
@@ -63,7 +64,8 @@ void Performance::relight() {
 }
 
 void StatsLog::add(const Performance& p) {
-  const GuideStats s = measureGuides(p.hair.guides, p.settings.guides, p.pose.capsules, p.hair.head);
+  const GuideStats s =
+      measureGuides(p.hair.guides, p.settings.guides, p.pose.capsules, p.hair.head);
   rows_ += text(frames_++, ',', s.stretchMax, ',', s.stretchRms, ',', s.penetrationMax, ',',
                 s.kineticEnergy, ',', s.speedMax, '\n');
 }

@@ -26,17 +26,19 @@ KajiyaKaySettings lookOf(Style style) {
 
 StrandSet loadHair(const SubjectOptions& options, std::vector<std::string>& notes) {
   StrandFile file = readStrands(options.hair, options.read);
-  notes.push_back(text(options.hair.filename().string(), ": ", file.strands.strandCount(), " strands, ",
-                       file.strands.pointCount(), " points; ", file.scale, " m a unit, up axis ",
-                       upAxisText(file.up)));
+  notes.push_back(text(options.hair.filename().string(), ": ", file.strands.strandCount(),
+                       " strands, ", file.strands.pointCount(), " points; ", file.scale,
+                       " m a unit, up axis ", upAxisText(file.up)));
   const std::size_t dropped = dropDegenerate(file.strands);
   if (dropped > 0)
     notes.push_back(text("dropped ", dropped, " strands of a single point or shorter than 1 mm"));
-  require(file.strands.strandCount() > 0, options.hair.string(), ": no strand is longer than 1 mm; check --scale");
+  require(file.strands.strandCount() > 0, options.hair.string(),
+          ": no strand is longer than 1 mm; check --scale");
   if (options.strands > 0 || options.points > 0) {
     const std::size_t count = options.strands > 0 ? options.strands : file.strands.strandCount();
     if (count > file.strands.strandCount())
-      notes.push_back(text("--strands ", count, ": the file has only ", file.strands.strandCount()));
+      notes.push_back(
+          text("--strands ", count, ": the file has only ", file.strands.strandCount()));
     const ResamplePlan plan = planResampling(
         file.strands, chooseStrands(file.strands.strandCount(), count), options.points);
     file.strands = {resample(plan, file.strands.points), plan.first};
@@ -46,7 +48,8 @@ StrandSet loadHair(const SubjectOptions& options, std::vector<std::string>& note
 
 std::vector<glm::vec3> rootsOf(StrandView strands) {
   std::vector<glm::vec3> roots;
-  for (std::size_t s = 0; s < strands.strandCount(); ++s) roots.push_back(strands.strand(s).front());
+  for (std::size_t s = 0; s < strands.strandCount(); ++s)
+    roots.push_back(strands.strand(s).front());
   return roots;
 }
 
@@ -54,7 +57,8 @@ std::vector<glm::vec3> rootsOf(StrandView strands) {
 Groom makeHair(const SubjectOptions& options, Head& head, std::unique_ptr<MeshSdf>& collider,
                std::vector<std::string>& notes) {
   if (options.hair.empty()) {
-    require(options.head.empty(), "--head: the built-in styles grow on the built-in head; give --hair too");
+    require(options.head.empty(),
+            "--head: the built-in styles grow on the built-in head; give --hair too");
     head = builtinHead();
     collider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
     StyleSettings style = styleSettings(options.style);
@@ -69,8 +73,9 @@ Groom makeHair(const SubjectOptions& options, Head& head, std::unique_ptr<MeshSd
     HeadFit fit = fitHeadToRoots(roots);
     head = std::move(fit.head);
     headFromFile = fit.headFromHair;
-    notes.push_back(text("no --head: the built-in head was scaled under the roots, which lie on it to ",
-                         fit.residual * 1000, " mm (mean)"));
+    notes.push_back(
+        text("no --head: the built-in head was scaled under the roots, which lie on it to ",
+             fit.residual * 1000, " mm (mean)"));
   } else {
     head.mesh = readObj(options.head);
     headFromFile = placeHead(head.mesh, roots);

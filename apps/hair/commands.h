@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 
+#include <apps/common/performance.h>
 #include <libhair/files/strand_file.h>
 
 namespace hair {
@@ -27,5 +28,18 @@ struct ConvertOptions {
   float minLength = 1e-3f;  ///< shorter strands are dropped, metres
 };
 void runConvert(const ConvertOptions& options);
+
+/// hair simulate
+struct SimulateOptions {
+  SubjectOptions subject;
+  PerformanceOptions performance;
+  int frames = 120;
+  int threads = 0;                ///< 0: as many as the machine has
+  std::filesystem::path out;      ///< .hair; one file a frame, numbered before the extension
+  std::filesystem::path profile;  ///< CSV: stage,items,ms_median,ms_p95
+  std::filesystem::path stats;    ///< CSV, one row a frame (StatsLog)
+  bool hash = false;              ///< last line: `hash` and 16 hexadecimal digits
+};
+void runSimulate(const SimulateOptions& options);
 
 }  // namespace hair

@@ -1,8 +1,8 @@
 #include <iostream>
 
 #include <apps/hair/commands.h>
-#include <libhair/model/resample.h>
 #include <libhair/core/error.h>
+#include <libhair/model/resample.h>
 
 namespace hair {
 

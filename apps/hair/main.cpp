@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <apps/common/command_line.h>
 #include <apps/hair/commands.h>
 #include <libhair/core/error.h>
 
@@ -14,26 +15,6 @@ namespace {
 
 // What the chosen command will do once the whole command line has been understood.
 using Run = std::function<void()>;
-
-void addReadOptions(CLI::App& command, ReadOptions& read) {
-  command
-      .add_option("--scale", read.scale,
-                  "metres per unit of the file; default: .hair 0.00465, others 1")
-      ->check(CLI::PositiveNumber);
-  command
-      .add_option_function<std::string>(
-          "--up",
-          [&read](const std::string& text) {
-            try {
-              read.up = upAxisFromText(text);
-            } catch (const Error& e) {
-              throw CLI::ValidationError("--up", e.what());
-            }
-          },
-          "axis of the file that points up: y (face +z), z (face +y), z-back (face -y: Blender), "
-          "x, y-down; default: .hair z, others y")
-      ->type_name("AXIS");
-}
 
 void addInfo(CLI::App& app, Run& run) {
   auto options = std::make_shared<InfoOptions>();
@@ -55,9 +36,7 @@ void addConvert(CLI::App& app, Run& run) {
   command->add_option("IN", options->in, ".hair, .tfx or .data")->required();
   command->add_option("OUT", options->out, "file to write, .hair")
       ->required()
-      ->check([](const std::string& out) {
-        return out.ends_with(".hair") ? std::string() : "must end with .hair: " + out;
-      });
+      ->check(endsWith(".hair"));
   addReadOptions(*command, options->read);
   command
       ->add_option("--strands", options->strands,
@@ -79,6 +58,34 @@ void addConvert(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { runConvert(*options); }; });
 }
 
+void addSimulate(CLI::App& app, Run& run) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command =
+      app.add_subcommand("simulate", "Simulate hair; write strands, times, statistics or a hash");
+  addSubjectOptions(*command, options->subject);
+  addPerformanceOptions(*command, options->performance, options->threads);
+  command->add_option("--frames", options->frames, "frames to simulate; default 120")
+      ->check(CLI::Range(1, 10'000'000));
+  command
+      ->add_option("--out", options->out,
+                   "strands of every frame: out.hair becomes out.0000.hair, out.0001.hair ...")
+      ->check(endsWith(".hair"));
+  command->add_option("--profile", options->profile, "times by stage, CSV")
+      ->check(endsWith(".csv"));
+  command
+      ->add_option("--stats", options->stats,
+                   "stretch, penetration, energy and speed of every frame, CSV")
+      ->check(endsWith(".csv"));
+  command->add_flag("--hash", options->hash,
+                    "last line: `hash` and 16 digits over the state's bits");
+  command->footer(
+      "Examples:\n"
+      "  hair simulate --style smooth --frames 600 --hash\n"
+      "  hair simulate --hair sintel.tfx --head sintel.obj --motion dance.bvh --out sintel.hair\n"
+      "  hair simulate --style curly --profile times.csv --stats stats.csv");
+  command->callback([options, &run] { run = [options] { runSimulate(*options); }; });
+}
+
 int program(int argc, char** argv) {
   CLI::App app("Hair: files, simulation, pictures. `hair COMMAND --help` teaches each command.",
                "hair");
@@ -88,6 +95,7 @@ int program(int argc, char** argv) {
   Run run;
   addInfo(app, run);
   addConvert(app, run);
+  addSimulate(app, run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -102,12 +110,5 @@ int program(int argc, char** argv) {
 }  // namespace hair
 
 int main(int argc, char** argv) {
-  try {
-    return hair::program(argc, argv);
-  } catch (const std::bad_alloc&) {
-    std::cerr << "hair: out of memory\n";
-  } catch (const std::exception& e) {
-    std::cerr << "hair: " << e.what() << '\n';
-  }
-  return 1;
+  return hair::runReporting("hair", [&] { return hair::program(argc, argv); });
 }
