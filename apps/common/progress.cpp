@@ -1,6 +1,7 @@
 #include <apps/common/progress.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -17,7 +18,7 @@ constexpr int kBarCells = 24;
 
 // 0:07, 12:34, 1:02:03
 std::string duration(double seconds) {
-  const auto s = static_cast<std::int64_t>(seconds + 0.5);
+  const std::int64_t s = std::llround(seconds);
   std::ostringstream out;
   out << std::setfill('0');
   if (s >= 3600) out << s / 3600 << ':' << std::setw(2);

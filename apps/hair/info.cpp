@@ -44,7 +44,7 @@ std::vector<float> rootSpacings(StrandView strands) {
     const auto look = [&](std::size_t j) {
       best = std::min(best, glm::distance(roots[i], roots[j]));
     };
-    for (std::size_t j = i; j-- > 0 && roots[i].x - roots[j].x < best;) look(j);
+    for (std::size_t j = i; j > 0 && roots[i].x - roots[j - 1].x < best; --j) look(j - 1);
     for (std::size_t j = i + 1; j < roots.size() && roots[j].x - roots[i].x < best; ++j) look(j);
     if (best < INFINITY) spacings.push_back(best);
   }

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <mutex>
 
+#if defined(__GNUC__) && !defined(__clang__)
+// With sanitizers g++ 12 sees vectors without a value in OpenMesh's headers; there are none.
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 

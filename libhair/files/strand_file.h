@@ -13,7 +13,7 @@ namespace hair {
 
 /// Which axis of a file points up; the face looks along the axis named second. Each is a rotation
 /// (no mirroring) into the library's +Y up, +Z face.
-enum class UpAxis {
+enum class UpAxis : std::uint8_t {
   AsFile,  ///< the format's default: .hair Z, .tfx and .data Y
   Y,       ///< +Y up, +Z face: nothing to do
   Z,       ///< +Z up, +Y face (Yuksel's hair models): (x, y, z) -> (-x, z, y)
