@@ -37,22 +37,32 @@ float meltedUnion(float a, float b, float k) {
   return std::min(a, b) - 0.25f * k * h * h;
 }
 
-using Flesh = std::vector<RoundCone>;
+/// Cones that follow one another with the same radius where they meet.
+using Tube = std::vector<RoundCone>;
+/// Tubes that melt into each other.
+using Flesh = std::vector<Tube>;
 
 TriangleMesh surfaceOf(const Flesh& flesh, float k, float cell) {
-  glm::vec3 lower(1e9f), upper(-1e9f);
-  for (const RoundCone& cone : flesh) {
-    const float r = std::max(cone.ra, cone.rb) + 0.25f * k + 2.0f * cell;
-    lower = glm::min(lower, glm::min(cone.a, cone.b) - r);
-    upper = glm::max(upper, glm::max(cone.a, cone.b) + r);
-  }
+  Bounds box;
+  for (const Tube& tube : flesh)
+    for (const RoundCone& cone : tube) {
+      const float r = std::max(cone.ra, cone.rb) + 0.5f * k + 2.0f * cell;
+      for (const glm::vec3 p : {cone.a, cone.b}) {
+        box.extend(p - r);
+        box.extend(p + r);
+      }
+    }
   return surfaceNets(
       [&](glm::vec3 p) {
         float d = 1e9f;
-        for (const RoundCone& cone : flesh) d = meltedUnion(d, distance(cone, p), k);
+        for (const Tube& tube : flesh) {
+          float nearest = 1e9f;
+          for (const RoundCone& cone : tube) nearest = std::min(nearest, distance(cone, p));
+          d = meltedUnion(d, nearest, k);
+        }
         return d;
       },
-      lower, upper, cell);
+      box, cell);
 }
 
 /// The trunk's capsules, a little thinner so that melting stays within them, and a neck that ends
@@ -68,10 +78,10 @@ Flesh trunkFlesh(const Body& body, const Landmarks& m) {
     if (!isTrunk(c.jointA) || !isTrunk(c.jointB)) continue;
     const float r = c.radius - 0.005f * s;
     flesh.push_back(
-        {body.rest[index(c.jointA)].point(c.a), body.rest[index(c.jointB)].point(c.b), r, r});
+        {{body.rest[index(c.jointA)].point(c.a), body.rest[index(c.jointB)].point(c.b), r, r}});
   }
-  flesh.push_back({m.neck - glm::vec3(0, 0.03f * s, 0), m.head + glm::vec3(0, 0.02f, 0.008f) * s,
-                   0.05f * s, 0.043f * s});
+  flesh.push_back({{m.neck - glm::vec3(0, 0.03f * s, 0), m.head + glm::vec3(0, 0.02f, 0.008f) * s,
+                    0.05f * s, 0.043f * s}});
   return flesh;
 }
 
@@ -79,37 +89,36 @@ Flesh armFlesh(const Landmarks& m, std::size_t side) {
   const float s = m.size;
   const glm::vec3 shoulder = m.shoulder[side], elbow = m.elbow[side], wrist = m.wrist[side];
   const glm::vec3 upper = glm::mix(shoulder, elbow, 0.4f), fore = glm::mix(elbow, wrist, 0.25f);
-  Flesh flesh = {{shoulder, upper, 0.045f * s, 0.039f * s},
-                 {upper, elbow, 0.039f * s, 0.033f * s},
-                 {elbow, fore, 0.033f * s, 0.035f * s},
-                 {fore, wrist, 0.035f * s, 0.022f * s}};
+  Flesh flesh = {{{shoulder, upper, 0.046f * s, 0.041f * s},
+                  {upper, elbow, 0.041f * s, 0.034f * s},
+                  {elbow, fore, 0.034f * s, 0.036f * s},
+                  {fore, wrist, 0.036f * s, 0.023f * s}}};
   // A mitten: three fingers' breadths of palm and fingers, and a thumb to the front.
   const glm::vec3 across = m.handFlat[side] * s, tips = m.fingertips[side], palm = m.knuckles[side];
   for (float f : {-1.0f, 0.0f, 1.0f}) {
-    flesh.push_back(
-        {wrist + 0.007f * f * across, palm + 0.023f * f * across, 0.018f * s, 0.014f * s});
-    flesh.push_back({palm + 0.023f * f * across,
-                     glm::mix(palm, tips, 0.95f - 0.12f * std::abs(f)) + 0.016f * f * across,
-                     0.014f * s, 0.009f * s});
+    const glm::vec3 knuckle = palm + 0.023f * f * across;
+    const glm::vec3 tip = glm::mix(palm, tips, 0.95f - 0.12f * std::abs(f)) + 0.016f * f * across;
+    flesh.push_back({{wrist + 0.007f * f * across, knuckle, 0.018f * s, 0.014f * s},
+                     {knuckle, tip, 0.014f * s, 0.009f * s}});
   }
   const glm::vec3 base = glm::mix(wrist, palm, 0.3f) + 0.018f * across;
-  flesh.push_back({base, glm::mix(wrist, palm, 0.85f) + 0.05f * across, 0.014f * s, 0.010f * s});
+  flesh.push_back({{base, glm::mix(wrist, palm, 0.85f) + 0.05f * across, 0.014f * s, 0.010f * s}});
   return flesh;
 }
 
 Flesh legFlesh(const Landmarks& m, std::size_t side) {
   const float s = m.size;
   const glm::vec3 hip = m.hip[side], knee = m.knee[side], ankle = m.ankle[side];
-  const glm::vec3 thigh = glm::mix(hip, knee, 0.4f);
-  const glm::vec3 calf = glm::mix(knee, ankle, 0.3f) - glm::vec3(0, 0, 0.010f * s);
-  return {{hip, thigh, 0.080f * s, 0.074f * s},
-          {thigh, knee, 0.074f * s, 0.047f * s},
-          {knee, calf, 0.046f * s, 0.050f * s},
-          {calf, ankle, 0.050f * s, 0.030f * s},
-          {ankle, m.heel[side], 0.032f * s, 0.030f * s},
-          {glm::mix(ankle, m.heel[side], 0.3f), m.ball[side], 0.032f * s, 0.025f * s},
-          {m.heel[side], m.ball[side], 0.028f * s, 0.027f * s},
-          {m.ball[side], m.toe[side], 0.026f * s, 0.019f * s}};
+  const glm::vec3 thigh = glm::mix(hip, knee, 0.35f);
+  const glm::vec3 calf = glm::mix(knee, ankle, 0.28f) - glm::vec3(0, 0, 0.010f * s);
+  return {{{hip, thigh, 0.083f * s, 0.077f * s},
+           {thigh, knee, 0.077f * s, 0.050f * s},
+           {knee, calf, 0.050f * s, 0.052f * s},
+           {calf, ankle, 0.052f * s, 0.032f * s}},
+          {{ankle, m.heel[side], 0.032f * s, 0.029f * s}},
+          {{glm::mix(ankle, m.heel[side], 0.3f), m.ball[side], 0.030f * s, 0.025f * s},
+           {m.ball[side], m.toe[side], 0.025f * s, 0.018f * s}},
+          {{m.heel[side], m.ball[side], 0.027f * s, 0.025f * s}}};
 }
 
 }  // namespace
@@ -172,7 +181,7 @@ BodyMesh::BodyMesh(const Body& body, float cell) {
     for (const BodyCapsule& c : body.capsules) {
       const RigidTransform joint = body.rest[index(c.jointA)];
       const TriangleMesh part =
-          surfaceOf({{joint.point(c.a), joint.point(c.b), c.radius, c.radius}}, 0.01f, cell);
+          surfaceOf({{{joint.point(c.a), joint.point(c.b), c.radius, c.radius}}}, 0.01f, cell);
       std::vector<Weights> weights(part.positions.size());
       for (Weights& w : weights) w.add(c.jointA, 1.0f);
       add(part, body, weights);
