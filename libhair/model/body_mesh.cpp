@@ -65,7 +65,7 @@ TriangleMesh surfaceOf(const Flesh& flesh, float k, float cell) {
       box, cell);
 }
 
-/// The trunk's capsules, a little thinner so that melting stays within them, and a neck that ends
+/// The trunk's capsules, thinner by as much as melting fills up between them, and a neck that ends
 /// in the head.
 Flesh trunkFlesh(const Body& body, const Landmarks& m) {
   const float s = m.size;
@@ -76,12 +76,12 @@ Flesh trunkFlesh(const Body& body, const Landmarks& m) {
   };
   for (const BodyCapsule& c : body.capsules) {
     if (!isTrunk(c.jointA) || !isTrunk(c.jointB)) continue;
-    const float r = c.radius - 0.005f * s;
+    const float r = c.radius - 0.008f * s;
     flesh.push_back(
         {{body.rest[index(c.jointA)].point(c.a), body.rest[index(c.jointB)].point(c.b), r, r}});
   }
   flesh.push_back({{m.neck - glm::vec3(0, 0.03f * s, 0), m.head + glm::vec3(0, 0.02f, 0.008f) * s,
-                    0.05f * s, 0.043f * s}});
+                    0.045f * s, 0.042f * s}});
   return flesh;
 }
 
@@ -194,7 +194,7 @@ BodyMesh::BodyMesh(const Body& body, float cell) {
 
   // Trunk: by height along hips, spine, neck, head; the shoulders follow the collar bones.
   {
-    const TriangleMesh part = surfaceOf(trunkFlesh(body, m), 0.034f * s, cell);
+    const TriangleMesh part = surfaceOf(trunkFlesh(body, m), 0.033f * s, cell);
     std::vector<Link> chain = {{map.hips, -1e9f, 1.0f}};
     const auto link = [&](int joint) {
       const float y = body.rest[index(joint)].translation.y;
