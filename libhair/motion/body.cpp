@@ -100,6 +100,9 @@ class StanceFromClip {
           bend(map_.foreArm[s], map_.upperArm[s], map_.foreArm[s], map_.hand[s]);
       limb(map_.upperArm[s], offset(map_.foreArm[s]), out, -out.x * kUp, elbow);
       limb(map_.foreArm[s], offset(map_.hand[s]), out, -out.x * kUp, elbow2);
+      if (const glm::vec3 fingers = bonesOf(map_.hand[s]); glm::length(fingers) > 0)
+        limb(map_.hand[s], fingers, out, -out.x * kUp,
+             bend(map_.hand[s], map_.upperArm[s], map_.foreArm[s], map_.hand[s]));
       const glm::vec3 left(1, 0, 0);
       const glm::vec3 knee = bend(map_.thigh[s], map_.thigh[s], map_.shin[s], map_.foot[s]);
       const glm::vec3 knee2 = bend(map_.shin[s], map_.thigh[s], map_.shin[s], map_.foot[s]);
@@ -107,7 +110,7 @@ class StanceFromClip {
       limb(map_.shin[s], offset(map_.foot[s]), -kUp, left, knee2);
       // A foot stands on the floor most of the time.
       const glm::vec3 up = meanInJoint(clip_, map_.foot[s], [](auto) { return kUp; });
-      const glm::vec3 toes = firstBone(map_.foot[s]);
+      const glm::vec3 toes = bonesOf(map_.foot[s]);
       set(map_.foot[s], up,
           glm::length(toes) > 0 ? toes : meanInJoint(clip_, map_.foot[s], facing));
     }
@@ -123,13 +126,13 @@ class StanceFromClip {
     return descendant;
   }
 
-  /// Along the bone that leaves a joint: to its tip, else to its first child, else zero.
-  glm::vec3 firstBone(int joint) const {
+  /// Along the bones that leave a joint, to tip and children: their mean, zero where none.
+  glm::vec3 bonesOf(int joint) const {
     const Skeleton& skeleton = body_.skeleton;
-    if (glm::length(skeleton.tips[index(joint)]) > 0) return skeleton.tips[index(joint)];
+    glm::vec3 sum = skeleton.tips[index(joint)];
     for (std::size_t j = 0; j < skeleton.jointCount(); ++j)
-      if (skeleton.parents[j] == joint) return skeleton.offsets[j];
-    return glm::vec3(0);
+      if (skeleton.parents[j] == joint) sum += skeleton.offsets[j];
+    return sum;
   }
 
   /// Joint axes `up`, `front` (in the joint) are +Y, +Z of body space in the rest stance.
@@ -140,7 +143,7 @@ class StanceFromClip {
 
   template <class Facing>
   void trunk(int joint, int next, const Facing& facing) {
-    glm::vec3 up = next >= 0 ? offset(next) : firstBone(joint);
+    glm::vec3 up = next >= 0 ? offset(next) : bonesOf(joint);
     if (next < 0) {
       // A head's children may be eyes or a jaw: trust the bone only if it mostly points up.
       const glm::vec3 mean = glm::normalize(meanInJoint(clip_, joint, [](auto) { return kUp; }));

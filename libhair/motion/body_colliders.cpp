@@ -34,9 +34,10 @@ struct Slice {
   float height, x, radius;
 };
 constexpr Slice kTrunk[] = {
-    {-0.04f, 0.074f, 0.096f}, {0.08f, 0.072f, 0.098f}, {0.20f, 0.056f, 0.094f},
-    {0.33f, 0.042f, 0.086f},  {0.46f, 0.040f, 0.084f}, {0.58f, 0.044f, 0.087f},
-    {0.70f, 0.052f, 0.088f},  {0.81f, 0.056f, 0.082f}, {0.90f, 0.052f, 0.066f},
+    {-0.04f, 0.074f, 0.098f}, {0.06f, 0.073f, 0.100f}, {0.16f, 0.062f, 0.097f},
+    {0.26f, 0.049f, 0.090f},  {0.36f, 0.040f, 0.085f}, {0.46f, 0.035f, 0.082f},
+    {0.56f, 0.039f, 0.085f},  {0.66f, 0.048f, 0.088f}, {0.75f, 0.055f, 0.088f},
+    {0.83f, 0.058f, 0.082f},  {0.90f, 0.056f, 0.073f}, {0.97f, 0.042f, 0.060f},
 };
 
 void fitTrunk(const Body& body, const Landmarks& m, Fitter& fit) {
@@ -51,8 +52,8 @@ void fitTrunk(const Body& body, const Landmarks& m, Fitter& fit) {
   }
   for (std::size_t side = 0; side < 2; ++side) {
     const float x = (side == 0 ? 1.0f : -1.0f) * s;
-    const glm::vec3 bust = m.trunk(0.72f) + glm::vec3(0.073f * x * ribs, 0, 0.062f * s);
-    fit.add(trunkJointAt(body, bust), bust, bust, 0.062f * s);
+    const glm::vec3 bust = m.trunk(0.73f) + glm::vec3(0.066f * x * ribs, 0, 0.050f * s);
+    fit.add(trunkJointAt(body, bust), bust, bust, 0.064f * s);
     const glm::vec3 seat = m.trunk(-0.02f) + glm::vec3(0.07f * x, 0, -0.042f * s);
     fit.add(body.map.hips, seat, seat, 0.088f * s);
   }
