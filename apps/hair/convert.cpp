@@ -1,7 +1,7 @@
 #include <iostream>
 
 #include <apps/hair/commands.h>
-#include <apps/hair/resample.h>
+#include <libhair/model/resample.h>
 #include <libhair/core/error.h>
 
 namespace hair {

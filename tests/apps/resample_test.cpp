@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <apps/hair/resample.h>
+#include <libhair/model/resample.h>
 
 namespace hair {
 namespace {

@@ -1,0 +1,163 @@
+// The passes of a shadowed picture, each alone, beside the literal reference in the same run:
+// 3,226 strands, 100 K segments, in the volume of a head of hair. Argument: threads, then the
+// deposit or filter (in the order of their enums).
+
+#include <benchmark/benchmark.h>
+
+#include <libhair/core/parallel.h>
+#include <libhair/shade/kajiya_kay.h>
+#include <libhair/shadow/literal.h>
+#include <tests/shadow/fixture.h>
+
+namespace hair {
+namespace {
+
+constexpr glm::vec3 kLight(0.5f, -0.8f, 0.35f);
+
+const StrandSet& scene() {
+  static const StrandSet strands = test::headOfHair(3226, 32);
+  return strands;
+}
+
+int threads(const benchmark::State& state) {
+  return static_cast<int>(state.range(0));
+}
+
+void done(benchmark::State& state) {
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene().pointCount()));
+}
+
+void clearAndDeposit(benchmark::State& state) {
+  const ThreadLimit limit(threads(state));
+  DensityMapSettings settings;
+  settings.deposit = static_cast<Deposit>(state.range(1));
+  const LightSpace light = makeLightSpace(kLight);
+  DensityMap map;
+  for (auto _ : state) {
+    clear(map, settings, light);
+    deposit(scene(), {}, map);
+  }
+  done(state);
+}
+BENCHMARK(clearAndDeposit)
+    ->ArgsProduct({{1, 2}, {0, 1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void selfCollisionDensity(benchmark::State& state) {
+  const ThreadLimit limit(threads(state));
+  DensityMapSettings settings;
+  settings.cells = 32;
+  settings.cellSize = 0.02f;
+  settings.quantity = Quantity::Length;
+  const LightSpace light = makeLightSpace(kLight);
+  DensityMap map;
+  for (auto _ : state) {
+    clear(map, settings, light);
+    deposit(scene(), {}, map, 32);
+  }
+}
+BENCHMARK(selfCollisionDensity)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void transmittance(benchmark::State& state) {
+  const ThreadLimit limit(threads(state));
+  DensityMap map;
+  test::shadow(scene(), {}, makeLightSpace(kLight), map);
+  for (auto _ : state) computeTransmittance(map);
+  done(state);
+}
+BENCHMARK(transmittance)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void filter(benchmark::State& state) {
+  const ThreadLimit limit(threads(state));
+  DensityMap map;
+  test::shadow(scene(), {}, makeLightSpace(kLight), map);
+  map.settings.filter = static_cast<Filter>(state.range(1));
+  std::vector<float> out(scene().pointCount());
+  for (auto _ : state) sampleTransmittance(map, scene().points, out);
+  done(state);
+}
+BENCHMARK(filter)->ArgsProduct({{1, 2}, {0, 1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void wholePass(benchmark::State& state, Deposit how, Filter filter) {
+  const ThreadLimit limit(threads(state));
+  DensityMapSettings settings;
+  settings.deposit = how;
+  settings.filter = filter;
+  settings.pointExtinction = 60;
+  const LightSpace light = makeLightSpace(kLight);
+  DensityMap map;
+  std::vector<float> out(scene().pointCount());
+  for (auto _ : state) {
+    clear(map, settings, light);
+    deposit(scene(), {}, map);
+    computeTransmittance(map);
+    sampleTransmittance(map, scene().points, out);
+  }
+  done(state);
+}
+BENCHMARK_CAPTURE(wholePass, paper, Deposit::Points, Filter::Paper)
+    ->Arg(1)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(wholePass, defaults, Deposit::Segments, Filter::Centred)
+    ->Arg(1)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void literalPass(benchmark::State& state) {
+  literal::LiteralMap map;
+  map.extinction = 60;
+  const LightSpace light = makeLightSpace(kLight);
+  std::vector<float> out(scene().pointCount());
+  for (auto _ : state) {
+    literal::fillDensity(scene().points, light, map);
+    literal::computeTransmittance(map);
+    literal::filterTransmittance(map, scene().points, out);
+  }
+  done(state);
+}
+BENCHMARK(literalPass)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void literalFill(benchmark::State& state) {
+  literal::LiteralMap map;
+  const LightSpace light = makeLightSpace(kLight);
+  for (auto _ : state) literal::fillDensity(scene().points, light, map);
+  done(state);
+}
+BENCHMARK(literalFill)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void literalTransmittance(benchmark::State& state) {
+  literal::LiteralMap map;
+  literal::fillDensity(scene().points, makeLightSpace(kLight), map);
+  for (auto _ : state) literal::computeTransmittance(map);
+  done(state);
+}
+BENCHMARK(literalTransmittance)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void literalFilter(benchmark::State& state) {
+  literal::LiteralMap map;
+  literal::fillDensity(scene().points, makeLightSpace(kLight), map);
+  literal::computeTransmittance(map);
+  std::vector<float> out(scene().pointCount());
+  for (auto _ : state) literal::filterTransmittance(map, scene().points, out);
+  done(state);
+}
+BENCHMARK(literalFilter)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void shade(benchmark::State& state) {
+  const ThreadLimit limit(threads(state));
+  const std::vector<float> t(scene().pointCount(), 0.5f);
+  std::vector<std::uint32_t> out(scene().pointCount());
+  const ShadeLight light{glm::normalize(kLight), glm::vec3(1), {0, 0, 1}};
+  for (auto _ : state)
+    shadeKajiyaKay(scene(), t, {}, light,
+                   state.range(1) ? KajiyaKaySettings() : KajiyaKaySettings::plain(), out);
+  done(state);
+}
+BENCHMARK(shade)->ArgsProduct({{1, 2}, {0, 1}})->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace hair

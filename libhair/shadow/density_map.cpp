@@ -1,0 +1,125 @@
+#include <libhair/shadow/density_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <new>
+
+#include <libhair/core/error.h>
+#include <libhair/core/parallel.h>
+
+namespace hair {
+
+template <class T>
+ZeroedArray<T>::ZeroedArray(std::size_t count)
+    : data_(static_cast<T*>(std::calloc(count, sizeof(T)))) {
+  if (!data_) throw std::bad_alloc();
+}
+template class ZeroedArray<std::uint8_t>;
+template class ZeroedArray<std::uint32_t>;
+template class ZeroedArray<float>;
+
+namespace {
+
+void validate(const DensityMapSettings& s) {
+  require(s.cells >= 2 && s.cells <= 1024, "--cells: ", s.cells, " is not in 2 to 1024");
+  require(s.cellSize > 0 && std::isfinite(s.cellSize), "density map: cell size ", s.cellSize,
+          " m is not positive");
+  require(s.pointExtinction >= 0 && std::isfinite(s.pointExtinction),
+          "density map: point extinction ", s.pointExtinction, " is negative or not finite");
+}
+
+void allocate(DensityMap& map, int cells) {
+  const auto n = static_cast<std::size_t>(cells);
+  map.counts = ZeroedArray<std::uint32_t>(n * n * n);
+  map.touched = ZeroedArray<std::uint8_t>(n * n);
+  map.saturation = ZeroedArray<std::uint32_t>((n * n * n + 31) / 32);
+  map.transmittance = ZeroedArray<float>(n * n * n + n);
+  std::fill_n(map.transmittance.data() + n * n * n, n, 1.0f);
+  map.rowOf.assign((n + 1) * n, static_cast<std::uint32_t>(n * n * n));
+}
+
+}  // namespace
+
+DensityMapSettings settingsForFootprint(float footprint, float extentNeeded, int mostCells) {
+  require(footprint > 0 && extentNeeded > 0 && std::isfinite(footprint + extentNeeded),
+          "density map: footprint ", footprint, " m and extent ", extentNeeded,
+          " m must be positive");
+  require(mostCells >= 16 && mostCells <= 1024, "density map: at most ", mostCells,
+          " cells is not in 16 to 1024");
+  DensityMapSettings settings;
+  settings.cellSize = std::max(footprint, extentNeeded / static_cast<float>(mostCells));
+  const float cells = std::ceil(extentNeeded / settings.cellSize / 16.0f * 0.999999f) * 16.0f;
+  settings.cells = std::clamp(static_cast<int>(cells), 16, mostCells);
+  return settings;
+}
+
+int DensityMap::depth() const {
+  if (empty()) return 0;
+  return static_cast<int>(
+      std::min<std::int64_t>(std::int64_t{upper.x} - lower.x + 1, settings.cells));
+}
+
+bool DensityMap::aliased() const {
+  if (empty()) return false;
+  for (int c = 0; c < 3; ++c)
+    if (std::int64_t{upper[c]} - lower[c] >= settings.cells) return true;
+  return false;
+}
+
+float DensityMap::density(glm::ivec3 cell) const {
+  if (glm::any(glm::lessThan(cell, lower)) || glm::any(glm::greaterThan(cell, upper))) return 0;
+  const float volume = settings.cellSize * settings.cellSize * settings.cellSize;
+  return static_cast<float>(counts.data()[index(cell)]) * (quantum / volume);
+}
+
+void clear(DensityMap& map, const DensityMapSettings& settings, const LightSpace& light) {
+  validate(settings);
+  const auto n = static_cast<std::size_t>(settings.cells);
+  if (!map.counts.data() || map.settings.cells != settings.cells) {
+    allocate(map, settings.cells);
+  } else {
+    parallelFor(n, 8, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin * n; row < end * n; ++row) {
+        if (!map.touched.data()[row]) continue;
+        std::memset(map.counts.data() + row * n, 0, n * sizeof(std::uint32_t));
+        map.touched.data()[row] = 0;
+      }
+    });
+    if (map.saturatedCells > 0) {
+      std::memset(map.saturation.data(), 0, (n * n * n + 31) / 32 * sizeof(std::uint32_t));
+    }
+  }
+  map.saturatedCells = 0;
+  map.settings = settings;
+  map.light = light;
+  map.frame = makeCellFrame(light, glm::vec3(0), settings.cellSize, settings.cells);
+  map.quantum = 0;
+  map.lower = glm::ivec3(INT_MAX);
+  map.upper = glm::ivec3(INT_MIN);
+}
+
+DensitySample sampleDensity(const DensityMap& map, glm::vec3 p) {
+  if (map.empty()) return {};
+  const glm::vec3 u = map.frame.cellCoordinates(p) - 0.5f;
+  const glm::ivec3 c(floorToInt(u.x), floorToInt(u.y), floorToInt(u.z));
+  const glm::vec3 f = u - glm::vec3(c);
+  float d[2][2][2];
+  for (int x = 0; x < 2; ++x)
+    for (int y = 0; y < 2; ++y)
+      for (int z = 0; z < 2; ++z) d[x][y][z] = map.density(c + glm::ivec3(x, y, z));
+  // Along z, then y, then x; a derivative replaces the mean of two values by their difference.
+  float alongZ[2][2], alongY[2], acrossY[2], acrossZ[2];
+  for (int x = 0; x < 2; ++x) {
+    for (int y = 0; y < 2; ++y) alongZ[x][y] = glm::mix(d[x][y][0], d[x][y][1], f.z);
+    alongY[x] = glm::mix(alongZ[x][0], alongZ[x][1], f.y);
+    acrossY[x] = alongZ[x][1] - alongZ[x][0];
+    acrossZ[x] = glm::mix(d[x][0][1] - d[x][0][0], d[x][1][1] - d[x][1][0], f.y);
+  }
+  const glm::vec3 perCell(alongY[1] - alongY[0], glm::mix(acrossY[0], acrossY[1], f.x),
+                          glm::mix(acrossZ[0], acrossZ[1], f.x));
+  // d/dworld = (dcell/dworld)^T d/dcell.
+  return {glm::mix(alongY[0], alongY[1], f.x), glm::transpose(map.frame.cellFromWorld) * perCell};
+}
+
+}  // namespace hair

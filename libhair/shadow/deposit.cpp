@@ -1,0 +1,338 @@
+#include <libhair/shadow/deposit.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+
+#include <libhair/core/error.h>
+#include <libhair/core/parallel.h>
+
+namespace hair {
+
+namespace {
+
+// Fixed point: one count is 2^-20 of an optical depth, or of a metre. A cell holds 4096 of either;
+// light is gone after 70.
+constexpr float kQuantum = 0x1p-20f;
+
+constexpr std::uint32_t kFull = 0xffffffffu;
+
+/// Writes counts into the map. Shared: other threads do so at the same time. Sums of integers do
+/// not depend on their order, and neither does the number of carries out of a cell, so that which
+/// cells are saturated does not depend on it either.
+template <bool kShared>
+class CellWriter {
+ public:
+  explicit CellWriter(DensityMap& map)
+      : map_(map),
+        counts_(map.counts.data()),
+        touched_(map.touched.data()),
+        n_(static_cast<std::size_t>(map.settings.cells)),
+        base_(map.frame.base) {}
+  CellWriter(const CellWriter&) = delete;
+  CellWriter& operator=(const CellWriter&) = delete;
+
+  ~CellWriter() {
+    for (int c = 0; c < 3; ++c) {
+      keepLeast(map_.lower[c], lower_[c]);
+      keepMost(map_.upper[c], upper_[c]);
+    }
+  }
+
+  void extend(glm::ivec3 cell) {
+    lower_ = glm::min(lower_, cell);
+    upper_ = glm::max(upper_, cell);
+  }
+
+  void add(glm::ivec3 cell, std::uint32_t count) {
+    if (count == 0) return;
+    const auto i = static_cast<std::size_t>(map_.wrap(base_.x + cell.x));
+    const auto j = static_cast<std::size_t>(map_.wrap(base_.y + cell.y));
+    const auto k = static_cast<std::size_t>(map_.wrap(base_.z + cell.z));
+    const std::size_t row = i * n_ + k;
+    touch(row);
+    const std::size_t index = row * n_ + j;
+    std::uint32_t before;
+    if constexpr (kShared) {
+      before = std::atomic_ref(counts_[index]).fetch_add(count, std::memory_order_relaxed);
+    } else {
+      before = counts_[index];
+      counts_[index] = before + count;
+    }
+    // The second: a single addition that does not fit was cut to kFull.
+    if (before > kFull - count || count == kFull) saturate(index);
+  }
+
+ private:
+  void touch(std::size_t row) {
+    std::atomic_ref flag(touched_[row]);
+    if (flag.load(std::memory_order_relaxed) == 0) flag.store(1, std::memory_order_relaxed);
+  }
+  void saturate(std::size_t index) {
+    std::atomic_ref word(map_.saturation.data()[index / 32]);
+    const std::uint32_t bit = 1u << (index % 32);
+    if (word.fetch_or(bit, std::memory_order_relaxed) & bit) return;
+    std::atomic_ref(map_.saturatedCells).fetch_add(1, std::memory_order_relaxed);
+  }
+  static void keepLeast(int& least, int value) {
+    std::atomic_ref shared(least);
+    int seen = shared.load(std::memory_order_relaxed);
+    while (value < seen && !shared.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
+    }
+  }
+  static void keepMost(int& most, int value) {
+    std::atomic_ref shared(most);
+    int seen = shared.load(std::memory_order_relaxed);
+    while (value > seen && !shared.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
+    }
+  }
+
+  DensityMap& map_;
+  std::uint32_t* counts_;
+  std::uint8_t* touched_;
+  std::size_t n_;
+  glm::ivec3 base_;
+  glm::ivec3 lower_{INT_MAX}, upper_{INT_MIN};
+};
+
+std::uint32_t toCount(float amount) {
+  return amount >= 4294967040.0f ? kFull
+                                 : static_cast<std::uint32_t>(static_cast<std::int64_t>(amount));
+}
+
+/// Rounds the amounts of one strand to counts, handing what rounding took or gave on to the next:
+/// a strand's sum is right to half a count however many cells it crosses.
+class Rounder {
+ public:
+  std::uint32_t take(float amount) {
+    const float wanted = amount + rest_;
+    const std::uint32_t count = toCount(std::max(wanted, 0.0f) + 0.5f);
+    rest_ = count == kFull ? 0.0f : wanted - static_cast<float>(count);
+    return count;
+  }
+
+ private:
+  float rest_ = 0;
+};
+
+glm::ivec3 floorToCell(glm::vec3 u) {
+  return {floorToInt(u.x), floorToInt(u.y), floorToInt(u.z)};
+}
+
+/// Walks the cells between two points, all in unwrapped cell coordinates, and leaves in each the
+/// part of `amount` that lies inside. Amanatides and Woo 1987. What falls into the last cell is
+/// kept in `pending`, because the next segment most often goes on there.
+template <class Writer>
+void depositSegment(glm::vec3 a, glm::vec3 b, float amount, glm::ivec3& cell, float& pending,
+                    Rounder& rounder, Writer& writer) {
+  const glm::ivec3 last = floorToCell(b);
+  if (cell == last) {
+    pending += amount;
+    return;
+  }
+  const glm::vec3 d = b - a;
+  glm::vec3 next(2.0f), step(0.0f);  // in the segment's parameter, 0 at a, 1 at b
+  glm::ivec3 way(0);
+  for (int c = 0; c < 3; ++c) {
+    if (cell[c] == last[c]) continue;
+    way[c] = last[c] > cell[c] ? 1 : -1;
+    step[c] = 1.0f / std::abs(d[c]);
+    const float wall = static_cast<float>(cell[c] + (way[c] > 0 ? 1 : 0));
+    next[c] = std::clamp((wall - a[c]) / d[c], 0.0f, 1.0f);
+  }
+  float t = 0;
+  while (cell != last) {
+    const int c = next.x <= next.y ? (next.x <= next.z ? 0 : 2) : (next.y <= next.z ? 1 : 2);
+    const float wall = std::clamp(next[c], t, 1.0f);
+    writer.add(cell, rounder.take(pending + amount * (wall - t)));
+    pending = 0;
+    t = wall;
+    cell[c] += way[c];
+    // Whole numbers of cells decide where an axis ends, not sums of steps.
+    next[c] = cell[c] == last[c] ? 2.0f : next[c] + step[c];
+    writer.extend(cell);
+  }
+  pending = amount * (1.0f - t);
+}
+
+/// Spreads a count over the eight cells whose centres surround u. Halved, halved and halved again
+/// in integers: the parts always sum to the count.
+template <class Writer>
+void spread(glm::vec3 u, std::uint32_t count, Writer& writer) {
+  const glm::vec3 v = u - 0.5f;
+  const glm::ivec3 c = floorToCell(v);
+  const glm::vec3 f = v - glm::vec3(c);
+  const auto upperPart = [](std::uint32_t whole, float part) {
+    return std::min(whole, static_cast<std::uint32_t>(
+                               static_cast<std::int64_t>(static_cast<float>(whole) * part + 0.5f)));
+  };
+  const std::uint32_t x1 = upperPart(count, f.x);
+  for (int x = 0; x < 2; ++x) {
+    const std::uint32_t nx = x ? x1 : count - x1;
+    const std::uint32_t z1 = upperPart(nx, f.z);
+    for (int z = 0; z < 2; ++z) {
+      const std::uint32_t nz = z ? z1 : nx - z1;
+      const std::uint32_t y1 = upperPart(nz, f.y);
+      writer.add(c + glm::ivec3(x, 0, z), nz - y1);
+      writer.add(c + glm::ivec3(x, 1, z), y1);
+    }
+  }
+  writer.extend(c);
+  writer.extend(c + 1);
+}
+
+/// What a segment adds per cell that it advances: across the light for optical depth (length times
+/// sine of the angle to the light), in all directions for length.
+struct SegmentScale {
+  float perCell;
+  bool acrossOnly;
+  float amount(glm::vec3 d) const {
+    const float across = d.y * d.y + d.z * d.z;
+    return perCell * std::sqrt(acrossOnly ? across : across + d.x * d.x);
+  }
+};
+
+template <class Writer>
+void depositPoints(std::span<const glm::vec3> points, std::uint32_t count, const CellFrame& frame,
+                   Writer& writer) {
+  for (glm::vec3 p : points) {
+    const glm::ivec3 cell = floorToCell(frame.cellCoordinates(p));
+    writer.extend(cell);
+    writer.add(cell, count);
+  }
+}
+
+template <class Writer>
+void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, float longest,
+                     const CellFrame& frame, Writer& writer) {
+  if (points.empty()) return;
+  glm::vec3 a = frame.cellCoordinates(points[0]);
+  glm::ivec3 cell = floorToCell(a);
+  float pending = 0;
+  Rounder rounder;
+  writer.extend(cell);
+  for (std::size_t p = 1; p < points.size(); ++p) {
+    const glm::vec3 b = frame.cellCoordinates(points[p]);
+    const glm::vec3 d = b - a;
+    if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > longest) {
+      // Longer than the map: the map is aliased, and will say so; don't walk a billion cells.
+      pending += scale.amount(d);
+      writer.add(cell, rounder.take(pending));
+      pending = 0;
+      cell = floorToCell(b);
+      writer.extend(cell);
+    } else {
+      depositSegment(a, b, scale.amount(d), cell, pending, rounder, writer);
+    }
+    a = b;
+  }
+  writer.add(cell, rounder.take(pending));
+}
+
+template <class Writer>
+void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, float longest,
+                      const CellFrame& frame, Writer& writer) {
+  if (points.empty()) return;
+  glm::vec3 a = frame.cellCoordinates(points[0]);
+  Rounder rounder;
+  for (std::size_t p = 1; p < points.size(); ++p) {
+    const glm::vec3 b = frame.cellCoordinates(points[p]);
+    const glm::vec3 d = b - a;
+    // One sample a cell: the spread is as wide as that.
+    const float way = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    const int samples = static_cast<int>(std::min(way, longest)) + 1;
+    const float each = 1.0f / static_cast<float>(samples);
+    for (int s = 0; s < samples; ++s)
+      spread(a + d * ((static_cast<float>(s) + 0.5f) * each), rounder.take(scale.amount(d) * each),
+             writer);
+    a = b;
+  }
+}
+
+/// Mean length of a segment, over at most 256 strands in a fixed order.
+float meanSegmentLength(StrandView strands) {
+  const std::size_t step = std::max<std::size_t>(strands.strandCount() / 256, 1);
+  double length = 0;
+  std::size_t segments = 0;
+  for (std::size_t s = 0; s < strands.strandCount(); s += step) {
+    const auto points = strands.strand(s);
+    length += static_cast<double>(arcLength(points));
+    segments += points.empty() ? 0 : points.size() - 1;
+  }
+  return segments > 0 ? static_cast<float>(length / static_cast<double>(segments)) : 0.0f;
+}
+
+/// What one point of Deposit::Points is worth: f · ds, or metres.
+float pointQuantum(StrandView strands, const Fibre& fibre, const DensityMapSettings& settings) {
+  const float ds = settings.cellSize;
+  if (settings.quantity == Quantity::Length)
+    return meanSegmentLength(strands) * fibre.hairsPerStrand;
+  if (settings.pointExtinction > 0) return settings.pointExtinction * ds;
+  // Over all directions the sine of the angle to the light is pi / 4 on average.
+  constexpr float kMeanSine = 0.785398163f;
+  return meanSegmentLength(strands) * kMeanSine * fibre.width * fibre.hairsPerStrand *
+         fibre.opacity / (ds * ds);
+}
+
+template <bool kShared>
+void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t stride) {
+  const DensityMapSettings& settings = map.settings;
+  const CellFrame& frame = map.frame;
+  const float ds = settings.cellSize;
+  const auto longest = static_cast<float>(settings.cells);
+  const bool length = settings.quantity == Quantity::Length;
+  // Deviation: opacity, not -ln(1 - opacity). Fibres thinner than a cell cross it in a number n
+  // that is Poisson-distributed, and the mean of (1 - opacity)^n is exp(-opacity · mean n).
+  const float perStrand =
+      length ? fibre.hairsPerStrand * ds : fibre.width * fibre.hairsPerStrand * fibre.opacity / ds;
+  const SegmentScale scale{perStrand * static_cast<float>(stride) / kQuantum, !length};
+  const std::size_t read = (strands.strandCount() + stride - 1) / stride;
+  parallelFor(read, 32, [&](std::size_t begin, std::size_t end) {
+    CellWriter<kShared> writer(map);
+    for (std::size_t r = begin; r < end; ++r) {
+      const auto points = strands.strand(r * stride);
+      switch (settings.deposit) {
+        case Deposit::Points:
+          depositPoints(points, stride, frame, writer);
+          break;
+        case Deposit::Segments:
+          depositSegments(points, scale, longest, frame, writer);
+          break;
+        case Deposit::Trilinear:
+          depositTrilinear(points, scale, longest, frame, writer);
+          break;
+      }
+    }
+  });
+}
+
+}  // namespace
+
+void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t strandStride) {
+  require(map.counts.data() != nullptr, "deposit: clear() the density map first");
+  require(strandStride > 0, "deposit: strand stride is 0");
+  require(fibre.width >= 0 && fibre.opacity >= 0 && fibre.hairsPerStrand >= 0 &&
+              std::isfinite(fibre.width * fibre.opacity * fibre.hairsPerStrand),
+          "deposit: fibre width ", fibre.width, " m, opacity ", fibre.opacity, " or ",
+          fibre.hairsPerStrand, " hairs a strand is negative or not finite");
+  if (strands.pointCount() == 0) return;
+  const DensityMapSettings& settings = map.settings;
+  if (map.empty()) {
+    map.frame = makeCellFrame(map.light, strands.points.front(), settings.cellSize, settings.cells);
+    map.quantum =
+        settings.deposit == Deposit::Points ? pointQuantum(strands, fibre, settings) : kQuantum;
+  }
+  if (threadCount() > 1)
+    run<true>(strands, fibre, map, strandStride);
+  else
+    run<false>(strands, fibre, map, strandStride);
+  if (map.saturatedCells == 0) return;
+  const auto n = static_cast<std::size_t>(settings.cells);
+  for (std::size_t word = 0; word < (n * n * n + 31) / 32; ++word)
+    for (std::uint32_t bits = map.saturation.data()[word]; bits != 0; bits &= bits - 1)
+      map.counts.data()[word * 32 + static_cast<std::size_t>(std::countr_zero(bits))] = kFull;
+}
+
+}  // namespace hair

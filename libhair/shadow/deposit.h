@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+#include <libhair/core/strands.h>
+#include <libhair/model/groom.h>
+#include <libhair/shadow/density_map.h>
+
+namespace hair {
+
+/// Adds strands to a cleared map (Bertails et al. 2005, section 3.1), on all threads; the counts
+/// are integers, so the result has the same bits for any number of threads.
+///
+/// A segment of length l at angle theta to the light, of width w and opacity alpha, adds
+///
+///   l · sin(theta) · w · alpha / ds²        w = fibre.width · fibre.hairsPerStrand
+///
+/// to the optical depth of its column (Segments, Trilinear), or l · hairsPerStrand metres
+/// (Quantity::Length). Deposit::Points adds one count per point instead, each worth f · ds.
+/// Only every strandStride-th strand is read, and counts for that many.
+///
+/// Adds nothing silently wrong: map.saturatedCells counts the cells whose sum did not fit, and
+/// map.aliased() says whether the hair is larger than the map. May be called again to add more.
+void deposit(StrandView strands, const Fibre& fibre, DensityMap& map,
+             std::uint32_t strandStride = 1);
+
+}  // namespace hair

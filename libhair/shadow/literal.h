@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <libhair/shadow/light_space.h>
+
+namespace hair::literal {
+
+/// Section 3 of Bertails et al. 2005 written down as it stands: one thread, one float a cell, whole
+/// columns one after another, std::exp per cell, the paper's filter. Slow; kept as the reference
+/// that the fast passes are tested against and measured against. Only the mapping of points to
+/// cells (CellFrame) is shared with them, so that both round a point into the same cell.
+struct LiteralMap {
+  int cells = 128;                   ///< NCELLS
+  float cellSize = 7.5e-3f;          ///< ds, metres
+  float extinction = 30;             ///< f, 1/metre
+  CellFrame frame;                   ///< Psi
+  int firstSlice = 0;                ///< i_min, wrapped
+  std::vector<float> density;        ///< d, [cells³], (i · cells + j) · cells + k
+  std::vector<float> transmittance;  ///< Trans, [cells³], the same order
+};
+
+/// Section 3.1: empties the map, then increments the density of the cell of every point.
+void fillDensity(std::span<const glm::vec3> points, const LightSpace& light, LiteralMap& map);
+
+/// Section 3.2, equation 3.
+void computeTransmittance(LiteralMap& map);
+
+/// Section 3.3: Trans^f at every point. A neighbour in front of i_min is light, 1 (the paper does
+/// not say; the modulo would read the slice farthest from the light).
+void filterTransmittance(const LiteralMap& map, std::span<const glm::vec3> points,
+                         std::span<float> out);
+
+}  // namespace hair::literal
