@@ -10,6 +10,7 @@
 #include <libhair/model/fill_wisps.h>
 #include <libhair/model/guide_curve.h>
 #include <libhair/model/styles.h>
+#include <libhair/wisps/wisps.h>
 
 namespace hair {
 namespace {
@@ -166,6 +167,21 @@ TEST(Styles, CurlsWindAroundTheGuide) {
   };
   EXPECT_NEAR(ratio(grown().grooms[0]), 1, 0.05);
   EXPECT_GT(ratio(grown().grooms[1]), 1.4);
+}
+
+TEST(Styles, RestIsWhatTheWispsStageDraws) {
+  for (const Groom& groom : grown().grooms) {
+    const GuideStrands guides(groom, {}, {}, &grown().sdf);
+    WispSettings settings;
+    settings.avoidColliders = false;
+    Wisps wisps(groom, guides, settings, &grown().sdf);
+    interpolateWisps(guides, {}, wisps);
+    for (std::size_t s = 0; s < groom.strandCount(); s += 7) {
+      const auto p = drawn(groom, s);
+      for (std::size_t k = 0; k < p.size(); ++k)
+        ASSERT_LT(glm::distance(p[k], wisps.strands().strand(s)[k]), 1e-5f) << s << " " << k;
+    }
+  }
 }
 
 TEST(Styles, SettingsOutOfRangeAreErrors) {
