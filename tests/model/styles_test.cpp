@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <libhair/model/fill_wisps.h>
 #include <libhair/model/guide_curve.h>
 #include <libhair/model/styles.h>
+#include <libhair/motion/motion.h>
 #include <libhair/wisps/wisps.h>
 
 namespace hair {
@@ -83,6 +84,19 @@ TEST(Styles, GuidesKeepClearOfTheHeadAndTheFace) {
         ASSERT_FALSE(inFront && p[i].y > -0.03f) << g << " " << i;
       }
     }
+}
+
+TEST(Styles, GuidesLieOnTheBodyThatStandsStill) {
+  const BodyPose pose = Motion::still().pose(0);
+  const RigidTransform headFromWorld = inverse(pose.worldFromHead);
+  for (const Groom& groom : grown().grooms)
+    for (glm::vec3 p : groom.guidePoints)
+      for (const Capsule& c : pose.capsules) {
+        const glm::vec3 a = headFromWorld.point(c.a), ab = headFromWorld.point(c.b) - a;
+        const float along = glm::dot(p - a, ab) / std::max(glm::dot(ab, ab), 1e-12f);
+        const float d = glm::distance(p, a + std::clamp(along, 0.0f, 1.0f) * ab) - c.radius;
+        ASSERT_GT(d, -0.001f) << p.x << " " << p.y << " " << p.z;
+      }
 }
 
 TEST(Styles, DrawnHairStaysOutOfTheHeadAndOffTheFace) {
