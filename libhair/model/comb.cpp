@@ -15,22 +15,34 @@ constexpr float kPi = std::numbers::pi_v<float>;
 
 enum Use : std::uint32_t { Length = 0x200, WavePhase, WaveLength, Lie, Cut, Part, PartingSide };
 
-// What hair falls on below the head: shoulders, chest and back of somebody standing straight.
-constexpr std::array<Capsule, 5> kBust = {
-    {{{0.035f, -0.165f, -0.025f}, {0.165f, -0.19f, -0.025f}, 0.045f},
-     {{-0.035f, -0.165f, -0.025f}, {-0.165f, -0.19f, -0.025f}, 0.045f},
-     {{-0.08f, -0.265f, -0.025f}, {0.08f, -0.265f, -0.025f}, 0.095f},
-     {{-0.06f, -0.42f, -0.015f}, {0.06f, -0.42f, -0.015f}, 0.095f},
-     {{0, -0.1f, -0.024f}, {0, -0.2f, -0.02f}, 0.052f}}};
+// What hair falls on below the head: neck, shoulders, chest and back of somebody standing straight
+// with hanging arms, with the capsules that the motion stage gives such a body (fitCapsules), and
+// the same for the other side.
+constexpr std::array<Capsule, 12> kBust = {
+    {{{0, -0.115f, -0.015f}, {0, -0.009f, -0.002f}, 0.052f},
+     {{0.03f, -0.091f, -0.015f}, {0.096f, -0.122f, -0.013f}, 0.047f},
+     {{0.096f, -0.122f, -0.013f}, {0.162f, -0.157f, -0.01f}, 0.052f},
+     {{0.05f, -0.183f, 0.011f}, {0.14f, -0.174f, -0.006f}, 0.064f},
+     {{0.162f, -0.157f, -0.01f}, {0.2f, -0.277f, -0.014f}, 0.05f},
+     {{0, -0.15f, 0}, {0.051f, -0.15f, 0}, 0.066f},
+     {{0, -0.2f, 0.002f}, {0.055f, -0.2f, 0.002f}, 0.082f},
+     {{0, -0.26f, 0.005f}, {0.051f, -0.26f, 0.005f}, 0.088f},
+     {{0.072f, -0.249f, 0.066f}, {0.072f, -0.249f, 0.066f}, 0.062f},
+     {{0, -0.326f, 0.008f}, {0.044f, -0.326f, 0.008f}, 0.087f},
+     {{0, -0.392f, 0.011f}, {0.04f, -0.392f, 0.011f}, 0.084f},
+     {{0, -0.464f, 0.014f}, {0.042f, -0.464f, 0.014f}, 0.086f}}};
 
 // Distance and outward direction of the nearest of head and bust.
 glm::vec4 bodyDistance(const MeshSdf& headSdf, glm::vec3 p) {
   glm::vec4 nearest = headSdf.distanceAndGradient(p);
+  const glm::vec3 mirrored(std::abs(p.x), p.y, p.z);
   for (const Capsule& c : kBust) {
     const glm::vec3 ab = c.b - c.a;
-    const float t = std::clamp(glm::dot(p - c.a, ab) / glm::dot(ab, ab), 0.0f, 1.0f);
-    const glm::vec3 away = p - c.a - t * ab;
+    const float t =
+        std::clamp(glm::dot(mirrored - c.a, ab) / std::max(glm::dot(ab, ab), 1e-12f), 0.0f, 1.0f);
+    glm::vec3 away = mirrored - c.a - t * ab;
     const float length = glm::length(away);
+    if (p.x < 0) away.x = -away.x;
     if (length - c.radius < nearest.w && length > 1e-6f)
       nearest = glm::vec4(away / length, length - c.radius);
   }

@@ -80,22 +80,22 @@ glm::vec3 curl(const StyleSettings& settings, std::uint32_t lock, std::uint32_t 
 void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
                std::span<const glm::vec3> roots, std::span<const std::uint32_t> wisps,
                Groom& groom) {
-  const std::size_t strands = roots.size(), n = settings.points, g = groom.pointsPerGuide;
+  const std::size_t strands = roots.size(), n = settings.points;
   groom.first.resize(strands + 1);
   for (std::size_t s = 0; s <= strands; ++s) groom.first[s] = static_cast<std::uint32_t>(s * n);
   groom.parents.resize(strands);
   groom.weights.resize(strands);
   groom.offsets.resize(strands * n);
 
-  // What strands share: places along the curve, frames and lengths of the guides.
-  std::vector<CurvePlace> places(n);
-  for (std::size_t k = 0; k < n; ++k) places[k] = curvePlace(k, n, g);
-  std::vector<glm::mat3> frames(groom.guidePoints.size());
+  // What strands share: curves, frames and lengths of the guides.
+  std::vector<glm::vec3> curves(groom.guideCount() * n);
+  std::vector<glm::mat3> frames(groom.guideCount() * n);
   std::vector<float> guideLength(groom.guideCount());
   for (std::size_t i = 0; i < groom.guideCount(); ++i) {
-    const auto points = groom.guide(i);
-    guideFrames(points, restRootNormal(points), std::span(frames).subspan(i * g, g));
-    guideLength[i] = arcLength(points);
+    const auto curve = std::span(curves).subspan(i * n, n);
+    sampleGuide(groom.guide(i), curve);
+    sampleGuideFrames(groom.guide(i), curve, std::span(frames).subspan(i * n, n));
+    guideLength[i] = arcLength(groom.guide(i));
   }
 
   parallelFor(strands, 64, [&](std::size_t begin, std::size_t end) {
@@ -110,25 +110,23 @@ void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
       groom.parents[s] = parents;
       groom.weights[s] = w;
 
-      const auto mainFrames = std::span(frames).subspan(parents.x * g, g);
-      const auto blend = [&](CurvePlace at) {
-        return w.x * curvePoint(groom.guide(parents.x), at) +
-               w.y * curvePoint(groom.guide(parents.y), at) +
-               w.z * curvePoint(groom.guide(parents.z), at);
+      const glm::vec3* main = &curves[parents.x * n];
+      const glm::mat3* mainFrames = &frames[parents.x * n];
+      const auto blend = [&](std::size_t k) {
+        return w.x * main[k] + w.y * curves[parents.y * n + k] + w.z * curves[parents.z * n + k];
       };
-      const glm::vec3 rootOffset = glm::transpose(mainFrames[0]) * (roots[s] - blend(places[0]));
+      const glm::vec3 rootOffset = glm::transpose(mainFrames[0]) * (roots[s] - blend(0));
       for (std::size_t k = 0; k < n; ++k) {
         const float u = static_cast<float>(k) / static_cast<float>(n - 1);
         const float clumped = std::min(u / settings.clumpBy, 1.0f);
         const float clump = settings.clump * clumped * std::sqrt(clumped);
-        const glm::mat3 frame = curveFrame(mainFrames, places[k]);
-        const glm::vec3 base = blend(places[k]);
-        const glm::vec3 main = curvePoint(groom.guide(parents.x), places[k]);
+        const glm::mat3 frame = mainFrames[k];
+        const glm::vec3 base = blend(k);
         glm::vec3 local = glm::mix(1.0f, settings.spread, clumped) * rootOffset;
         local += deviation(settings, strand, u);
         if (settings.curlRadius > 0)
           local += curl(settings, parents.x, strand, u * guideLength[parents.x]);
-        glm::vec3 p = glm::mix(base, main, clump) + frame * local;
+        glm::vec3 p = glm::mix(base, main[k], clump) + frame * local;
         if (k > 0) {
           const float along = u * guideLength[parents.x];
           p = outOfFace(p);
@@ -136,7 +134,7 @@ void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
           const float clearance = std::min(0.0015f, 0.3f * along);
           if (d.w < clearance) p += (clearance - d.w) * glm::vec3(d);
         }
-        groom.offsets[groom.first[s] + k] = glm::inverse(frame) * (p - base);
+        groom.offsets[groom.first[s] + k] = glm::transpose(frame) * (p - base);
       }
     }
   });
@@ -144,17 +142,18 @@ void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
 
 void drawAtRest(const Groom& groom, std::size_t strand, std::span<glm::vec3> points) {
   const glm::uvec3 parents = groom.parents[strand];
-  const glm::vec3 w = groom.weights[strand];
-  std::vector<glm::mat3> frames(groom.pointsPerGuide);
-  const auto main = groom.guide(parents.x);
-  guideFrames(main, restRootNormal(main), frames);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const CurvePlace at = curvePlace(k, points.size(), groom.pointsPerGuide);
-    points[k] = w.x * curvePoint(main, at) + w.y * curvePoint(groom.guide(parents.y), at) +
-                w.z * curvePoint(groom.guide(parents.z), at);
-    if (!groom.offsets.empty())
-      points[k] += curveFrame(frames, at) * groom.offsets[groom.first[strand] + k];
+  std::vector<glm::vec3> curve(points.size());
+  std::vector<glm::mat3> frames(points.size());
+  std::fill(points.begin(), points.end(), glm::vec3(0));
+  for (int j = 2; j >= 0; --j) {
+    sampleGuide(groom.guide(parents[j]), curve);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      points[k] += groom.weights[strand][j] * curve[k];
   }
+  if (groom.offsets.empty()) return;
+  sampleGuideFrames(groom.guide(parents.x), curve, frames);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    points[k] += frames[k] * groom.offsets[groom.first[strand] + k];
 }
 
 }  // namespace hair

@@ -89,42 +89,71 @@ HeadFit fitHeadToRoots(std::span<const glm::vec3> hairRoots) {
   const MeshSdf sdf(fit.head.mesh, 0.005f, 0.05f);
   const Sphere scalp = builtinScalp(fit.head), roots = fitSphere(hairRoots);
 
-  // Gauss-Newton on the distances of the roots to the head, with the roots moved and scaled onto
-  // it: q = scale * (p - roots.centre) + scalp.centre + shift. Six unknowns, from the spheres.
-  glm::dvec3 scale(scalp.radius / std::max(roots.radius, 1e-4f)), shift(0);
-  scale = glm::clamp(scale, 1 / 1.7, 1 / 0.6);
-  const std::size_t stride = std::max<std::size_t>(1, hairRoots.size() / 4096);
-  const auto onHead = [&](glm::vec3 p) {
-    return glm::vec3(scale * glm::dvec3(p - roots.centre) + glm::dvec3(scalp.centre) + shift);
+  // The distances of the roots to the head, with the roots scaled and moved onto it,
+  //   q = scale * (p - roots.centre) + scalp.centre + shift,
+  // are made small by Levenberg-Marquardt steps in the six unknowns, from the two spheres. Far
+  // roots (a stray, a beard) count for less: cost sum c^2 log(1 + (d / c)^2), weights
+  // 1 / (1 + (d / c)^2). A weak pull back to the spheres decides what the roots leave open.
+  struct Unknowns {
+    glm::dvec3 scale, shift;
   };
-  for (int iteration = 0; iteration < 20; ++iteration) {
+  constexpr double c = 0.02, pull = 0.01 * 0.1 * 0.1, least = 1 / 1.7, most = 1 / 0.6;
+  const double ratio =
+      std::clamp(static_cast<double>(scalp.radius / std::max(roots.radius, 1e-4f)), least, most);
+  const std::size_t stride = std::max<std::size_t>(1, hairRoots.size() / 2048);
+  const auto onHead = [&](const Unknowns& u, glm::vec3 p) {
+    return glm::vec3(u.scale * glm::dvec3(p - roots.centre) + glm::dvec3(scalp.centre) + u.shift);
+  };
+  const auto cost = [&](const Unknowns& u) {
+    double sum = 0;
+    for (std::size_t i = 0; i < hairRoots.size(); i += stride) {
+      const double d = sdf.distance(onHead(u, hairRoots[i]));
+      const glm::dvec3 off = u.scale - ratio;
+      sum += c * c * std::log1p(d * d / (c * c)) + pull * glm::dot(off, off);
+    }
+    return sum;
+  };
+  Unknowns now{glm::dvec3(ratio), glm::dvec3(0)};
+  double lowest = cost(now), damping = 1e-3;
+  for (int iteration = 0; iteration < 40 && damping < 1e6; ++iteration) {
     std::array<std::array<double, 7>, 6> m{};
     for (std::size_t i = 0; i < hairRoots.size(); i += stride) {
-      const glm::vec4 d = sdf.distanceAndGradient(onHead(hairRoots[i]));
+      const glm::vec4 d = sdf.distanceAndGradient(onHead(now, hairRoots[i]));
       const glm::dvec3 n(d), arm = n * glm::dvec3(hairRoots[i] - roots.centre);
-      // Far roots (a stray, a beard) count for less.
-      const double weight = 1 / (1 + std::pow(d.w / 0.01, 2));
+      const double weight = 1 / (1 + d.w * d.w / (c * c));
       const std::array<double, 7> row = {n.x, n.y, n.z, arm.x, arm.y, arm.z, -d.w};
       for (std::size_t r = 0; r < 6; ++r)
-        for (std::size_t c = 0; c < 7; ++c) m[r][c] += weight * row[r] * row[c];
+        for (std::size_t k = 0; k < 7; ++k) m[r][k] += weight * row[r] * row[k];
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto r = static_cast<std::size_t>(3 + axis);
+        m[r][r] += pull;
+        m[r][6] -= pull * (now.scale[axis] - ratio);
+      }
     }
-    // A little stiffness, so that what the roots do not say stays as it is.
-    for (std::size_t r = 0; r < 6; ++r) m[r][r] *= 1.0001;
+    for (std::size_t r = 0; r < 6; ++r) m[r][r] *= 1 + damping;
     std::array<double, 6> x{};
     if (!solve<6>(m, x)) break;
-    shift += glm::dvec3(x[0], x[1], x[2]);
-    scale = glm::clamp(scale + glm::dvec3(x[3], x[4], x[5]), 1 / 1.7, 1 / 0.6);
+    const Unknowns next{glm::clamp(now.scale + glm::dvec3(x[3], x[4], x[5]), least, most),
+                        now.shift + glm::dvec3(x[0], x[1], x[2])};
+    const double nextCost = cost(next);
+    if (nextCost < lowest) {
+      now = next;
+      lowest = nextCost;
+      damping *= 0.3;
+    } else {
+      damping *= 4;
+    }
   }
 
   // The hair keeps its size: it is the head that is scaled, about its origin.
-  const glm::vec3 bigger(1.0 / scale);
+  const glm::vec3 bigger(1.0 / now.scale);
   for (std::size_t v = 0; v < fit.head.mesh.positions.size(); ++v) {
     fit.head.mesh.positions[v] *= bigger;
     fit.head.mesh.normals[v] = glm::normalize(fit.head.mesh.normals[v] / bigger);
   }
-  fit.headFromHair.translation = bigger * (scalp.centre + glm::vec3(shift)) - roots.centre;
+  fit.headFromHair.translation = bigger * (scalp.centre + glm::vec3(now.shift)) - roots.centre;
   double sum = 0;
-  for (glm::vec3 p : hairRoots) sum += std::abs(sdf.distance(onHead(p)));
+  for (glm::vec3 p : hairRoots) sum += std::abs(sdf.distance(onHead(now, p)));
   fit.residual = static_cast<float>(sum / static_cast<double>(hairRoots.size())) *
                  (bigger.x + bigger.y + bigger.z) / 3;
   require(fit.residual < 0.03f, "head: hair roots are ", 1e3f * fit.residual,

@@ -42,18 +42,17 @@ StyleSettings styleSettings(Style style) {
   StyleSettings s;
   if (style == Style::Curly) {
     s.points = 61;
-    s.cutHeightFront = -0.07f, s.cutHeightBack = -0.11f;
+    s.cutHeightFront = -0.045f, s.cutHeightBack = -0.1f;
     s.minLength = 0.13f, s.maxLength = 0.33f, s.lengthVariation = 0.1f;
-    s.volume = 0.034f, s.rootLift = 0.7f, s.waviness = 0.2f, s.turnIn = 0;
+    s.volume = 0.034f, s.rootLift = 0.4f, s.waviness = 0.2f, s.turnIn = 0;
     s.clump = 0.85f, s.clumpBy = 0.5f, s.spread = 0.3f;
-    s.partingJitter = 0.03f;
+    s.partingJitter = 0.02f, s.partAtShoulders = 0;
     s.curlRadius = 0.009f, s.curlPitch = 0.035f;
   } else if (style == Style::Long) {
     s.pointsPerGuide = 28;
     s.points = 41;
     s.cutHeightFront = -0.36f, s.cutHeightBack = -0.42f;
     s.minLength = 0.4f, s.maxLength = 0.7f;
-    s.partAtShoulders = 1;
     s.volume = 0.018f, s.waviness = 0.14f, s.turnIn = 0.15f;
   }
   return s;

@@ -26,8 +26,8 @@ struct StyleSettings {
   float hairs = 100'000;  ///< that the drawn strands stand for together
 
   // The cut: a guide ends at the cut height, or at the greatest length.
-  float cutHeightFront = -0.095f;  ///< beside the face, head space
-  float cutHeightBack = -0.16f;
+  float cutHeightFront = -0.13f;  ///< beside the face, head space
+  float cutHeightBack = -0.17f;
   float minLength = 0.16f;
   float maxLength = 0.38f;
   float lengthVariation = 0.04f;  ///< share of the length, from wisp to wisp
@@ -35,11 +35,11 @@ struct StyleSettings {
   // How it lies.
   Parting parting;
   float partingJitter = 0;    ///< how far from it wisps still fall to either side
-  float partAtShoulders = 0;  ///< 0: hair lies on them, 1: it falls before or behind them
+  float partAtShoulders = 1;  ///< 0: hair lies on them, 1: it falls before or behind them
   float volume = 0.016f;      ///< how far the uppermost hair lies from the head
   float rootLift = 0.3f;      ///< 0: hair leaves the scalp flat, 1: at 45 degrees
   float waviness = 0.35f;     ///< radians that wisps swing from side to side
-  float turnIn = 0.5f;        ///< how much the tips turn to the neck, 0 to 1
+  float turnIn = 0.35f;       ///< how much the tips turn to the neck, 0 to 1
 
   // How drawn strands fill a wisp.
   float clump = 0.65f;      ///< how far they come together, 0 to 1
