@@ -74,10 +74,10 @@ std::uint32_t packColour(glm::vec4 srgb);
 
 /// The sun of the scene, and the sky that fills its shadows.
 struct Light {
-  glm::vec3 direction{0.5f, -0.8f, 0.35f};  ///< the way light travels; any length > 0
-  glm::vec3 colour{1.0f, 0.96f, 0.90f};     ///< linear
-  float intensity = 2.2f;                   ///< of the directional light on meshes, >= 0
-  float ambient = 0.45f;                    ///< of the sky on meshes, >= 0
+  glm::vec3 direction{-0.5f, -0.8f, -0.45f};  ///< the way light travels; any length > 0
+  glm::vec3 colour{1.0f, 0.96f, 0.90f};       ///< linear
+  float intensity = 2.2f;                     ///< of the directional light on meshes, >= 0
+  float ambient = 0.55f;                      ///< of the sky on meshes, >= 0
 };
 
 /// A floor that fades into the background at some distance.

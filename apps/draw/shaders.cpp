@@ -161,7 +161,7 @@ void main() {
     if (lit > 0.0) lit *= sunPastHair(world);
   }
   // Light wanders a little under the surface: past the terminator, and redder there.
-  vec3 wrap = vec3(0.16, 0.08, 0.06);
+  vec3 wrap = vec3(0.11, 0.07, 0.055);
   vec3 diffuse = clamp((vec3(nl) + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0, 1.0);
   vec3 bounce = groundColour.rgb * (0.35 * sky.rgb + 0.05 * sun.rgb);
   vec3 around = mix(bounce, sky.rgb, 0.5 + 0.5 * n.y);

@@ -189,7 +189,7 @@ TEST_F(Drawing, HeadAndHairDarkenTheFloorUnderThem) {
   EXPECT_NEAR(brightness(byHead.pixel(beside.x, beside.y)), litBeside, 12);
 }
 
-TEST_F(Drawing, HairOfDifferentColoursBehindAMeshDoesNotShadowItsFront) {
+TEST_F(Drawing, HairBehindAMeshDoesNotShadowItsFront) {
   addHead();
   const glm::ivec2 top = place({0, 0.395f, 0.03f}, 320, 240);
   const Picture bare = drawn();
