@@ -64,8 +64,8 @@ void writePathAtomically(const fs::path& file, const std::function<void(const fs
   require(!file.empty(), "the name of the file to write is empty");
   std::error_code error;
   // Through a symbolic link to what it points at, so that the link stays one.
-  const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
-  require(!error, file.string(), ": cannot write: ", error.message());
+  const bool link = fs::is_symlink(fs::symlink_status(file, error));
+  const fs::path target = link ? fs::weakly_canonical(file) : file;
   const fs::file_status old = fs::status(target, error);
   require(!fs::is_directory(old), file.string(), ": cannot write: is a folder");
   // Devices and pipes cannot be replaced and have no half-written state to protect.

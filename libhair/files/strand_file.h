@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <libhair/core/strands.h>
 
@@ -11,18 +13,20 @@ namespace hair {
 
 /// Which axis of a file points up; the face looks along the axis named second. Each is a rotation
 /// (no mirroring) into the library's +Y up, +Z face.
-enum class UpAxis {
+enum class UpAxis : std::uint8_t {
   AsFile,  ///< the format's default: .hair Z, .tfx and .data Y
   Y,       ///< +Y up, +Z face: nothing to do
   Z,       ///< +Z up, +Y face (Yuksel's hair models): (x, y, z) -> (-x, z, y)
   ZBack,   ///< +Z up, -Y face (Blender, 3ds Max):     (x, y, z) -> (x, z, -y)
   X,       ///< +X up, +Z face:                        (x, y, z) -> (-y, x, z)
-  MinusY,  ///< -Y up, +Z face (turned over):          (x, y, z) -> (-x, -y, z)
+  YDown,   ///< -Y up, +Z face (turned over):          (x, y, z) -> (-x, -y, z)
 };
 
-/// `file`, `y`, `z`, `z-back`, `x`, `-y`, as `--up` takes them. Throws Error with the choices.
+/// `file`, `y`, `z`, `z-back`, `x`, `y-down`, as `--up` takes them. Throws Error with the choices.
 UpAxis upAxisFromText(std::string_view text);
 std::string_view upAxisText(UpAxis up);
+/// For people: "+Z up, +Y face".
+std::string_view upAxisMeaning(UpAxis up);
 
 /// Into metres and +Y up, +Z face: rotates, then scales, in place. `scale`: metres per unit.
 void convertUnits(std::span<glm::vec3> points, float scale, UpAxis up);
@@ -36,11 +40,17 @@ struct ReadOptions {
 
 /// Strands of any format, converted, and what was done to them.
 struct StrandFile {
-  StrandSet strands;      ///< metres, +Y up, +Z face; short strands are kept
-  std::string format;     ///< "hair", "tfx" or "data"
-  std::string arrays;     ///< what the file holds: "points, colours"
-  float scale = 1;        ///< metres per unit that was applied
-  UpAxis up = UpAxis::Y;  ///< axes that were assumed; never AsFile
+  StrandSet strands;                ///< metres, +Y up, +Z face; short strands are kept
+  std::string format = "hair";      ///< "hair", "tfx" or "data"
+  std::string arrays = "points";    ///< what the file holds: "points, colours"
+  float scale = 1;                  ///< metres per unit that was applied
+  UpAxis up = UpAxis::Y;            ///< axes that were assumed; never AsFile
+  std::vector<float> thickness;     ///< [pointCount] or empty; diameters, metres
+  std::vector<float> transparency;  ///< [pointCount] or empty; 0 opaque, 1 invisible
+  std::vector<glm::vec3> colours;   ///< [pointCount] or empty; linear RGB
+  float defaultThickness = 0;       ///< where there is no array, metres; 0: not stated
+  float defaultTransparency = 0;    ///< where there is no array
+  glm::vec3 defaultColour{0};       ///< where there is no array; black: not stated
 };
 
 /// Picks the format by the extension (.hair, .tfx, .data; any case), reads, converts into metres
@@ -52,9 +62,16 @@ StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& opt
 /// Writes .hair in metres, +Y up, and says so in the info text, which readStrands understands:
 /// reading it back gives the same bits. Throws Error.
 void writeStrands(const std::filesystem::path& file, StrandView strands);
+/// The same with all optional arrays and defaults.
+void writeStrands(const std::filesystem::path& file, const StrandFile& strands);
 
-/// Removes strands of fewer than `minPoints` points or shorter than `minLength` metres; returns
-/// how many. Loaders keep what a file says; simulation and drawing want strands with a direction.
-std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-4f, std::size_t minPoints = 2);
+/// Which strands have at least `minPoints` points and `minLength` metres.
+std::vector<std::uint32_t> soundStrands(StrandView strands, float minLength = 1e-3f,
+                                        std::size_t minPoints = 2);
+
+/// Removes all but the sound strands; returns how many went. Loaders keep what a file says;
+/// simulation and drawing want strands with a direction. Of a StrandFile the arrays follow.
+std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-3f, std::size_t minPoints = 2);
+std::size_t dropDegenerate(StrandFile& file, float minLength = 1e-3f, std::size_t minPoints = 2);
 
 }  // namespace hair

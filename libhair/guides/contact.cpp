@@ -9,8 +9,8 @@ namespace {
 // Farther than anything reaches in a substep.
 constexpr float kFar = 1e3f;
 
-// Keeps in `best` the plane of capsule `c` where that is nearer than `distance` so far.
-void nearerCapsule(LaneVec3 p, float skin, const Capsule& c, const Capsule& before, Lanes& distance,
+// Keeps in `best` the plane of capsule `c` where that is nearer than what it holds.
+void nearerCapsule(LaneVec3 p, float skin, const Capsule& c, const Capsule& before,
                    ContactPlane& best) {
   const glm::vec3 axis = c.b - c.a;
   const float axis2 = glm::dot(axis, axis);
@@ -20,7 +20,7 @@ void nearerCapsule(LaneVec3 p, float skin, const Capsule& c, const Capsule& befo
   const LaneVec3 foot = a + t * ab, out = p - foot;
   const Lanes length2 = dot(out, out), r = sqrt(length2);
   const Lanes d = r - (c.radius + skin);
-  const LaneMask nearer = d < distance;
+  const LaneMask nearer = d < best.distance;
   if (!any(nearer)) return;
   const LaneVec3 normal = (1.0f / max(r, lanes(1e-9f))) * out;
   const LaneVec3 move =
@@ -28,11 +28,10 @@ void nearerCapsule(LaneVec3 p, float skin, const Capsule& c, const Capsule& befo
   best.normal = select(nearer, normal, best.normal);
   best.offset = nearer ? dot(normal, foot) + (c.radius + skin) : best.offset;
   best.surfaceMove = select(nearer, move, best.surfaceMove);
-  distance = nearer ? d : distance;
+  best.distance = nearer ? d : best.distance;
 }
 
-void nearerHead(LaneVec3 p, Lanes clearance, const ColliderState& colliders, Lanes& distance,
-                ContactPlane& best) {
+void nearerHead(LaneVec3 p, Lanes clearance, const ColliderState& colliders, ContactPlane& best) {
   const glm::mat3 worldFromHead = glm::mat3_cast(colliders.worldFromHead.rotation);
   const glm::mat3 headFromWorld = glm::transpose(worldFromHead);
   for (std::size_t l = 0; l < kLanes; ++l) {
@@ -40,10 +39,10 @@ void nearerHead(LaneVec3 p, Lanes clearance, const ColliderState& colliders, Lan
     const glm::vec3 local = headFromWorld * (world - colliders.worldFromHead.translation);
     const glm::vec4 field = colliders.head->distanceAndGradient(local);
     const float d = field.w - clearance[l];
-    if (!(d < distance[l])) continue;
+    if (!(d < best.distance[l])) continue;
     const glm::vec3 normal = worldFromHead * glm::vec3(field);
     const glm::vec3 move = world - colliders.worldFromHeadBefore.point(local);
-    distance[l] = d;
+    best.distance[l] = d;
     best.normal.x[l] = normal.x, best.normal.y[l] = normal.y, best.normal.z[l] = normal.z;
     best.offset[l] = glm::dot(normal, world) - d;
     best.surfaceMove.x[l] = move.x, best.surfaceMove.y[l] = move.y, best.surfaceMove.z[l] = move.z;
@@ -54,11 +53,10 @@ void nearerHead(LaneVec3 p, Lanes clearance, const ColliderState& colliders, Lan
 
 ContactPlane nearestPlane(LaneVec3 points, Lanes headClearance, float skin,
                           const ColliderState& colliders, std::span<const std::uint16_t> near) {
-  ContactPlane best{{}, lanes(-kFar), {}};
-  Lanes distance = lanes(kFar);
+  ContactPlane best{{}, lanes(-kFar), {}, lanes(kFar)};
   for (std::uint16_t c : near)
-    nearerCapsule(points, skin, colliders.capsules[c], colliders.capsulesBefore[c], distance, best);
-  if (colliders.head) nearerHead(points, headClearance, colliders, distance, best);
+    nearerCapsule(points, skin, colliders.capsules[c], colliders.capsulesBefore[c], best);
+  if (colliders.head) nearerHead(points, headClearance, colliders, best);
   return best;
 }
 

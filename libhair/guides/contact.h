@@ -23,6 +23,7 @@ struct ContactPlane {
   LaneVec3 normal;
   Lanes offset;
   LaneVec3 surfaceMove;
+  Lanes distance;  ///< of the point to the plane when it was found; no collider is nearer
 };
 
 /// The plane of the collider nearest to each of eight points (deepest, where inside). A lane far

@@ -72,7 +72,7 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
              const ColliderState& colliders) {
   const std::uint32_t n = g.points, links = n - 1;
   const float h = g.h;
-  PointArray x, force;
+  PointArray x, force, seenAt;
   std::array<Lanes, kMaxGuidePoints> inverseMass, lambda;
   std::array<ContactPlane, kMaxGuidePoints> planes;
   std::array<LaneMask, kMaxGuidePoints> touching;
@@ -101,30 +101,45 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
       near[nearCount++] = static_cast<std::uint16_t>(c);
   }
 
-  planes[0] = ContactPlane{{}, lanes(-1e3f), {}};
-  inverseMass[0] = Lanes{}, touching[0] = LaneMask{};
-  for (std::uint32_t i = 1; i < n; ++i) {
-    inverseMass[i] = 1.0f / g.mass[i];
+  const auto look = [&](std::uint32_t i) {
+    seenAt[i] = x[i];
     planes[i] =
         nearestPlane(x[i], g.clearance[i], settings.skin, colliders, {near.data(), nearCount});
-    touching[i] = LaneMask{};
+  };
+  planes[0] = ContactPlane{{}, lanes(-1e3f), {}, lanes(1e3f)};
+  inverseMass[0] = Lanes{}, touching[0] = LaneMask{}, lambda[0] = Lanes{};
+  for (std::uint32_t i = 1; i < n; ++i) {
+    inverseMass[i] = 1.0f / g.mass[i];
+    touching[i] = LaneMask{}, lambda[i] = Lanes{};
+    look(i);
   }
-
-  for (std::uint32_t i = 0; i < links; ++i) lambda[i] = Lanes{};
-  for (int iteration = 0; iteration < settings.iterations; ++iteration) {
-    for (std::uint32_t i = 1; i < n; ++i) {
-      const Lanes depth = planes[i].offset - dot(planes[i].normal, x[i]);
-      const LaneMask inside = depth > 0.0f;
-      touching[i] |= inside;
-      if (!any(inside)) continue;
-      const Lanes push = inside ? depth : lanes(0);
-      x[i] = x[i] + push * planes[i].normal;
-      x[i] = rub(x[i], g.position[i], planes[i], push, settings.friction);
+  // Links drag points off; those that went farther than to the collider they saw must look again,
+  // and if one is inside another collider by now, all is corrected again.
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    for (int iteration = 0; iteration < settings.iterations; ++iteration) {
+      for (std::uint32_t i = 1; i < n; ++i) {
+        const Lanes depth = planes[i].offset - dot(planes[i].normal, x[i]);
+        const LaneMask inside = depth > 0.0f;
+        touching[i] |= inside;
+        if (!any(inside)) continue;
+        const Lanes push = inside ? depth : lanes(0);
+        x[i] = x[i] + push * planes[i].normal;
+        x[i] = rub(x[i], g.position[i], planes[i], push, settings.friction);
+      }
+      correctLinks(n, g.linkLength, inverseMass.data(), planes.data(), touching.data(),
+                   lambda.data(), x.data());
     }
-    correctLinks(n, g.linkLength, inverseMass.data(), planes.data(), touching.data(), lambda.data(),
-                 x.data());
+    finishLinks(n, g.linkLength, planes.data(), x.data());
+    bool again = false;
+    for (std::uint32_t i = 1; i < n; ++i) {
+      if (!any(length(x[i] - seenAt[i]) > max(planes[i].distance, lanes(0)) + 0.5f * settings.skin))
+        continue;
+      look(i);
+      again |= any(planes[i].distance < -0.5f * settings.skin);
+    }
+    if (!again) break;
   }
-  finishLinks(n, g.linkLength, planes.data(), x.data());
 
   for (std::uint32_t i = 0; i < links; ++i) g.tension[i] = g.tension[i] - lambda[i] / (h * h);
   for (std::uint32_t i = 0; i < n; ++i) {

@@ -13,13 +13,13 @@ namespace {
 constexpr float kStep = 0.002f;  // metres that a guide grows at a time
 constexpr float kPi = std::numbers::pi_v<float>;
 
-enum Use : std::uint32_t { Length = 0x200, WavePhase, WaveLength, Lie, Cut };
+enum Use : std::uint32_t { Length = 0x200, WavePhase, WaveLength, Lie, Cut, Part, PartingSide };
 
 // What hair falls on below the head: shoulders, chest and back of somebody standing straight.
 constexpr std::array<Capsule, 5> kBust = {
     {{{0.035f, -0.165f, -0.025f}, {0.165f, -0.19f, -0.025f}, 0.045f},
      {{-0.035f, -0.165f, -0.025f}, {-0.165f, -0.19f, -0.025f}, 0.045f},
-     {{-0.07f, -0.27f, -0.02f}, {0.07f, -0.27f, -0.02f}, 0.105f},
+     {{-0.08f, -0.265f, -0.025f}, {0.08f, -0.265f, -0.025f}, 0.095f},
      {{-0.06f, -0.42f, -0.015f}, {0.06f, -0.42f, -0.015f}, 0.095f},
      {{0, -0.1f, -0.024f}, {0, -0.2f, -0.02f}, 0.052f}}};
 
@@ -54,17 +54,17 @@ struct Growth {
 
 // Where hair wants to go at p, with the head's outward normal n: away from the parting over the
 // top, back from the face, down everywhere.
-glm::vec3 combDirection(const StyleSettings& settings, glm::vec3 p, glm::vec3 n, float distance) {
+glm::vec3 combDirection(const Parting& parting, glm::vec3 p, glm::vec3 n, float distance) {
   const float top = glm::smoothstep(0.0f, 0.9f, n.y);
   const float beside = glm::smoothstep(-0.03f, 0.05f, p.z) * glm::smoothstep(0.06f, 0.15f, p.y);
   glm::vec3 d(0, -1, 0);
-  d += (0.35f + 1.2f * top) * (p.y > 0.1f ? 1.0f : 0.0f) * awayFromParting(settings.parting, p) *
+  d += (0.35f + 1.2f * top) * (p.y > 0.1f ? 1.0f : 0.0f) * awayFromParting(parting, p) *
        glm::smoothstep(0.08f, 0.14f, p.y);
   d += glm::vec3(0, 0, -0.75f * beside);
   // Out of the face's way before it is there.
   const float edge = faceEdge(p.y) - azimuth(p);
   const float closeness = glm::smoothstep(-0.35f, 0.1f, edge);
-  const glm::vec3 outwards(p.x >= settings.parting.x ? p.z : -p.z, 0, -std::abs(p.x));
+  const glm::vec3 outwards(p.x >= parting.x ? p.z : -p.z, 0, -std::abs(p.x));
   d += 0.8f * closeness * glm::normalize(outwards + glm::vec3(1e-6f, 0, 0));
   // Along the head where there is head below, straight down where there is not.
   const float lying =
@@ -73,10 +73,17 @@ glm::vec3 combDirection(const StyleSettings& settings, glm::vec3 p, glm::vec3 n,
   return glm::normalize(d + glm::vec3(0, -1e-3f, 0));
 }
 
-Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 root,
+Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 root, glm::vec3 centre,
             std::uint32_t wisp, float knownLength) {
   const auto random = [&](Use use) { return 2 * uniform(wisp, use, settings.seed) - 1; };
-  const float lie = 1 + 0.35f * random(Lie);
+  const float lie = 1 + 0.15f * random(Lie);
+  // Which side of the parting its wisp falls to may be left to chance.
+  Parting parting = settings.parting;
+  parting.x += settings.partingJitter * random(PartingSide);
+  if (settings.partingJitter > 0)
+    parting.x = centre.x > parting.x ? std::min(parting.x, centre.x - 0.02f)
+                                     : std::max(parting.x, centre.x + 0.02f);
+  const bool toFront = azimuth(centre) < 1.7f + 0.15f * random(Part);
   const float phase = kPi * random(WavePhase), wave = 0.16f * (1 + 0.3f * random(WaveLength));
   const float vary = 1 + settings.lengthVariation * random(Length);
   const bool turnsIn = std::isfinite(knownLength);
@@ -85,24 +92,38 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
   const glm::vec3 rootNormal = glm::vec3(headSdf.distanceAndGradient(root));
   glm::vec3 p = root;
   glm::vec3 direction =
-      glm::normalize(combDirection(settings, root, rootNormal, 0) + settings.rootLift * rootNormal);
+      glm::normalize(combDirection(parting, root, rootNormal, 0) + settings.rootLift * rootNormal);
   Growth growth{{root}, 0};
   for (float s = kStep; s <= limit; s += kStep) {
     const glm::vec4 here = bodyDistance(headSdf, p);
     const glm::vec3 n(here);
     const float clearance =
         std::min(0.0035f, 0.5f * s) + settings.volume * lie * (1 - std::exp(-s / 0.09f));
-    glm::vec3 wanted = combDirection(settings, p, n, here.w);
+    glm::vec3 wanted = combDirection(parting, p, n, here.w);
     // Hold it to the head where the head is below it, as gravity and the hair above do.
     const float held = glm::smoothstep(0.0f, 0.3f, n.y);
     wanted -= std::clamp((here.w - clearance) / 0.02f, -1.0f, 1.0f) * held * n;
     const glm::vec3 side = glm::cross(direction, n);
     wanted += settings.waviness * std::sin(2 * kPi * s / wave + phase) *
               glm::smoothstep(0.03f, 0.12f, s) * side;
+    // Below the jaw it gathers around the neck.
+    const glm::vec3 inwards(-p.x, 0, -0.03f - p.z);
+    const float gather =
+        (1 - glm::smoothstep(0.0f, 0.09f, p.y)) * glm::smoothstep(-0.16f, -0.08f, p.y);
+    wanted += 1.7f * (1 - settings.partAtShoulders) * gather *
+              glm::smoothstep(0.0f, 0.05f, here.w - clearance) * inwards;
+    // At the shoulders it parts, to fall before or behind them.
+    const float low = 1 - glm::smoothstep(-0.22f, -0.13f, p.y);
+    const float parts = settings.partAtShoulders * (1 - glm::smoothstep(-0.06f, 0.04f, p.y));
+    const float toGo =
+        toFront ? 0.05f + 0.01f * random(Lie) + 0.035f * low - p.z : p.z + 0.09f + 0.03f * low;
+    wanted.z += (toFront ? 1.0f : -1.0f) * parts * glm::smoothstep(0.0f, 0.04f, toGo);
+    if (toFront)
+      wanted.x -= std::copysign(
+          parts * glm::smoothstep(0.085f + 0.025f * random(Part), 0.14f, std::abs(p.x)), p.x);
     if (turnsIn) {
       const float tip = glm::smoothstep(0.7f * limit, limit, s);
-      wanted += settings.turnIn * 1.6f * tip *
-                glm::normalize(glm::vec3(-p.x, 0, -0.03f - p.z) + glm::vec3(0, 0, 1e-6f));
+      wanted += settings.turnIn * 1.6f * tip * glm::normalize(inwards + glm::vec3(0, 0, 1e-6f));
     }
     direction = glm::normalize(glm::mix(direction, glm::normalize(wanted), kStep / 0.012f));
     p += kStep * direction;
@@ -119,7 +140,7 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
     growth.points.push_back(p);
     growth.length = s;
     if (!turnsIn && s > settings.minLength * vary) {
-      const float back = glm::smoothstep(1.2f, 2.2f, azimuth(p));
+      const float back = glm::smoothstep(1.8f, 2.7f, azimuth(p));
       const float cut = glm::mix(settings.cutHeightFront, settings.cutHeightBack, back);
       if (p.y < cut + 0.006f * random(Cut)) break;
     }
@@ -168,10 +189,10 @@ void equalLinks(std::span<const glm::vec3> dense, std::span<glm::vec3> points) {
 }
 
 void combGuide(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 root,
-               std::uint32_t wisp, std::span<glm::vec3> guide) {
+               glm::vec3 centre, std::uint32_t wisp, std::span<glm::vec3> guide) {
   // Once to find how long it is, once more with its tip turned in.
-  const float length = grow(settings, headSdf, root, wisp, INFINITY).length;
-  equalLinks(grow(settings, headSdf, root, wisp, length).points, guide);
+  const float length = grow(settings, headSdf, root, centre, wisp, INFINITY).length;
+  equalLinks(grow(settings, headSdf, root, centre, wisp, length).points, guide);
 }
 
 }  // namespace hair

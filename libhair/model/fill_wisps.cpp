@@ -56,7 +56,7 @@ glm::vec3 deviation(const StyleSettings& settings, std::uint32_t strand, float u
   }
   if (random(HasWhole) < settings.wholeShare) {
     const float wave =
-        std::sin(kTurn * (random(DeviationPhase) + 1.3f * u)) * std::min(4 * u, 1.0f);
+        std::sin(kTurn * (random(DeviationPhase) + 1.3f * u)) * glm::smoothstep(0.1f, 0.6f, u);
     d += settings.wholeDeviation * (0.4f + 0.6f * random(DeviationSize)) *
          (wave * side + 0.8f * u * glm::vec3(-side.y, side.x, 0));
   }
@@ -69,7 +69,7 @@ glm::vec3 curl(const StyleSettings& settings, std::uint32_t lock, std::uint32_t 
   const auto ofLock = [&](Use use) { return 2 * uniform(lock, use, settings.seed) - 1; };
   const float pitch = settings.curlPitch * (1 + 0.2f * ofLock(CurlPitch));
   const float radius =
-      settings.curlRadius * (1 + 0.3f * ofLock(CurlSize)) * glm::smoothstep(0.01f, 0.09f, along);
+      settings.curlRadius * (1 + 0.3f * ofLock(CurlSize)) * glm::smoothstep(0.005f, 0.06f, along);
   const float jitter = settings.curlJitter * (2 * uniform(strand, StrandPhase, settings.seed) - 1);
   const float angle = kTurn * (along / pitch + ofLock(CurlPhase)) + jitter;
   return radius * glm::vec3(std::cos(angle), std::sin(angle), 0);
@@ -119,14 +119,16 @@ void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
       const glm::vec3 rootOffset = glm::transpose(mainFrames[0]) * (roots[s] - blend(places[0]));
       for (std::size_t k = 0; k < n; ++k) {
         const float u = static_cast<float>(k) / static_cast<float>(n - 1);
+        const float clumped = std::min(u / settings.clumpBy, 1.0f);
+        const float clump = settings.clump * clumped * std::sqrt(clumped);
         const glm::mat3 frame = curveFrame(mainFrames, places[k]);
         const glm::vec3 base = blend(places[k]);
         const glm::vec3 main = curvePoint(groom.guide(parents.x), places[k]);
-        glm::vec3 local = glm::mix(1.0f, settings.spread, u) * rootOffset;
+        glm::vec3 local = glm::mix(1.0f, settings.spread, clumped) * rootOffset;
         local += deviation(settings, strand, u);
         if (settings.curlRadius > 0)
           local += curl(settings, parents.x, strand, u * guideLength[parents.x]);
-        glm::vec3 p = glm::mix(base, main, settings.clump * u) + frame * local;
+        glm::vec3 p = glm::mix(base, main, clump) + frame * local;
         if (k > 0) {
           const float along = u * guideLength[parents.x];
           p = outOfFace(p);

@@ -67,41 +67,39 @@ float skullDistance(vec3 p) {
 }
 
 float faceDistance(vec3 p) {
-  float d = ellipsoid(p, {0, 58, 44}, {56, 66, 46});
-  d = join(d, limb(p, {46, 34, 6}, {12, -2, 68}, 15, 15), 26);  // jaw
-  d = join(d, ellipsoid(p, {0, 18, 44}, {42, 34, 42}), 20);
-  d = join(d, ellipsoid(p, {0, -6, 76}, {17, 14, 15}), 18);   // chin
-  d = join(d, ellipsoid(p, {41, 66, 58}, {19, 15, 22}), 24);  // cheekbone
-  d = join(d, limb(p, {9, 95, 89}, {40, 97, 70}, 6, 6), 18);  // brow
+  float d = ellipsoid(p, {0, 60, 43}, {56, 64, 46});
+  d = join(d, limb(p, {44, 36, 6}, {11, 0, 66}, 14, 13), 26);  // jaw
+  d = join(d, ellipsoid(p, {0, 18, 44}, {40, 34, 42}), 20);
+  d = join(d, ellipsoid(p, {0, -3, 76}, {13, 13, 14}), 20);   // chin
+  d = join(d, ellipsoid(p, {38, 64, 58}, {19, 16, 22}), 24);  // cheekbone
+  d = join(d, ellipsoid(p, {26, 36, 56}, {20, 26, 26}), 24);  // cheek
+  d = join(d, limb(p, {0, 93, 90}, {38, 97, 71}, 4, 5), 20);  // brow
   return d;
 }
 
 float carvedFaceDistance(vec3 p, float d) {
-  d = carve(d, ellipsoid(p, {29, 82, 101}, {17, 11, 17}), 14);          // eye socket
-  d = join(d, ellipsoid(p, {30, 81, 73}, {13.5f, 12, 12.5f}), 4);       // closed eye
-  d = carve(d, limb(p, {19, 77.5f, 87.5f}, {41, 78.5f, 82}, 1, 1), 3);  // lid line
-  float nose = limb(p, {0, 90, 90}, {0, 61, 107}, 6, 7.5f);
-  nose = join(nose, ellipsoid(p, {0, 58, 107}, {9, 7.5f, 9}), 6);
-  nose = join(nose, ellipsoid(p, {9, 56, 100}, {6.5f, 6, 8}), 6);
-  d = join(d, nose, 10);
-  d = carve(d, ellipsoid(p, {5.5f, 49, 104}, {3, 3, 4}), 4);  // nostril
-  float mouth = ellipsoid(p, {0, 30, 84}, {24, 17, 13});
-  mouth = join(mouth, ellipsoid(p, {6, 35.5f, 92}, {15, 4.2f, 7}), 4);
-  mouth = join(mouth, ellipsoid(p, {0, 26.5f, 92}, {16, 5, 7.5f}), 4);
-  mouth = carve(mouth, limb(p, {0, 31, 100}, {22, 31.5f, 93}, 1, 1), 4);
-  d = join(d, mouth, 9);
-  d = carve(d, limb(p, {0, 16, 98}, {9, 16, 96}, 4, 3), 10);  // below the lower lip
-  return d;
+  d = carve(d, ellipsoid(p, {28, 81, 102}, {16, 10, 17}), 14);                // eye socket
+  d = join(d, ellipsoid(p, {30, 80.5f, 73.5f}, {14, 12, 12.5f}), 4);          // closed eye
+  d = carve(d, limb(p, {19, 76.5f, 87}, {40, 77.5f, 81.5f}, 0.9f, 0.9f), 3);  // lid line
+  float nose = limb(p, {0, 90, 92}, {0, 64, 107}, 4.5f, 6.2f);
+  nose = join(nose, ellipsoid(p, {0, 60.5f, 106.5f}, {7, 6, 7.5f}), 8);
+  nose = join(nose, ellipsoid(p, {8, 56.5f, 99}, {5.5f, 5, 8}), 7);
+  d = join(d, nose, 12);
+  d = join(d, ellipsoid(p, {0, 31, 77}, {29, 25, 15.5f}), 16);  // around the mouth
+  float lips = ellipsoid(p, {0, 35, 90.5f}, {17, 4.6f, 5.5f});
+  lips = join(lips, ellipsoid(p, {0, 27.6f, 90}, {15, 5.6f, 6.3f}), 2);
+  d = join(d, lips, 6);
+  return carve(d, limb(p, {0, 31.6f, 97.6f}, {19, 32.6f, 92}, 0.8f, 0.4f), 7);
 }
 
 float distanceMillimetres(vec3 p) {
   p.x = std::abs(p.x);
   float d = join(skullDistance(p), faceDistance(p), 26);
   d = carvedFaceDistance(p, d);
-  const float neck = limb(p, {0, -125, -24}, {0, 50, -20}, 52, 48);
+  const float neck = limb(p, {0, -130, -12}, {0, 45, -17}, 53, 43);
   d = join(d, neck, 22);
   d = join(d, earDistance(p), 6);
-  return std::max(d, kNeckCut - p.y);
+  return carve(d, p.y - kNeckCut, 14);
 }
 
 // Height of the hairline (millimetres) over the azimuth: 0 at the face, 180 degrees at the back.
@@ -141,8 +139,30 @@ float scalpMask(vec3 point) {
 }
 
 Head builtinHead() {
-  const Bounds box{{-0.1f, -0.12f, -0.125f}, {0.1f, 0.22f, 0.135f}};
-  return {surfaceNets(headField, box, 0.0042f)};
+  // Cells are finer where the face is: the grid is regular in a space that `bent` maps to the head.
+  const Bounds grid{{-0.1f, -0.175f, -0.13f}, {0.1f, 0.165f, 0.13f}};
+  const auto bent = [](vec3 q) {
+    const auto about = [](float v, float reach) {
+      const float r = v / reach;
+      return v * (0.76f + 0.24f * r * r);
+    };
+    const float t = (q.z + 0.13f) / 0.26f;
+    return vec3(about(q.x, 0.1f), 0.055f + about(q.y, 0.16f), q.z + 0.26f * 0.38f * t * (1 - t));
+  };
+  Head head{surfaceNets([&](vec3 q) { return headField(bent(q)); }, grid, 0.0045f)};
+  for (std::size_t v = 0; v < head.mesh.positions.size(); ++v) {
+    vec3& p = head.mesh.positions[v];
+    p = bent(p);
+    constexpr float h = 2e-4f;
+    vec3 gradient;
+    for (int axis = 0; axis < 3; ++axis) {
+      vec3 step(0);
+      step[axis] = h;
+      gradient[axis] = headField(p + step) - headField(p - step);
+    }
+    head.mesh.normals[v] = glm::normalize(gradient);
+  }
+  return head;
 }
 
 }  // namespace hair

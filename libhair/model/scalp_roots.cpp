@@ -11,6 +11,7 @@
 namespace hair {
 namespace {
 
+constexpr double kCrownDensity = 0.3;  // 1.4 times the mean there, 0.8 times at the sides
 constexpr glm::vec3 kSkullMiddle(0, 0.1f, -0.005f);
 
 enum Use : std::uint32_t { JitterAlong = 0x100, JitterAcross, Thin, FirstCentre };
@@ -58,7 +59,10 @@ std::vector<glm::vec3> scalpRoots(const MeshSdf& headSdf, std::uint32_t count, s
   // Lattice of n directions; index i spirals from the crown downwards.
   const auto onHead = [&](std::uint32_t i, std::uint32_t n) {
     const float spacing = 3.5f / std::sqrt(static_cast<float>(n));  // radians
-    const double up = 1 - 2 * (i + 0.5) / n;
+    // Denser towards the crown, whose hair lies over all other and is seen the most.
+    const double x = (i + 0.5) / n;
+    const double up =
+        1 - 2 * (x - kCrownDensity * std::sin(2 * std::numbers::pi * x) / (2 * std::numbers::pi));
     const double turn = std::numbers::pi * (3 - std::sqrt(5.0)) * i;
     const double across = std::sqrt(1 - up * up);
     glm::vec3 ray(across * std::cos(turn), up, across * std::sin(turn));

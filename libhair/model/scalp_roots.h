@@ -21,7 +21,8 @@ struct Parting {
 glm::vec3 awayFromParting(const Parting& parting, glm::vec3 p);
 
 /// `count` roots spread evenly over the scalp of the built-in head, whose distance field is
-/// `headSdf`: a Fibonacci lattice of directions from the middle of the skull, jittered.
+/// `headSdf`: a Fibonacci lattice of directions from the middle of the skull, jittered,
+/// and a little denser at the crown.
 std::vector<glm::vec3> scalpRoots(const MeshSdf& headSdf, std::uint32_t count, std::uint32_t seed);
 
 /// The point of the scalp where the ray from the middle of the skull through p leaves the head.

@@ -42,16 +42,18 @@ StyleSettings styleSettings(Style style) {
   StyleSettings s;
   if (style == Style::Curly) {
     s.points = 61;
-    s.cutHeightFront = -0.06f, s.cutHeightBack = -0.11f;
+    s.cutHeightFront = -0.07f, s.cutHeightBack = -0.11f;
     s.minLength = 0.13f, s.maxLength = 0.33f, s.lengthVariation = 0.1f;
-    s.volume = 0.034f, s.rootLift = 1.2f, s.waviness = 0.2f, s.turnIn = 0;
-    s.clump = 0.7f, s.spread = 0.6f;
-    s.curlRadius = 0.009f, s.curlPitch = 0.031f;
+    s.volume = 0.034f, s.rootLift = 0.7f, s.waviness = 0.2f, s.turnIn = 0;
+    s.clump = 0.85f, s.clumpBy = 0.5f, s.spread = 0.3f;
+    s.partingJitter = 0.03f;
+    s.curlRadius = 0.009f, s.curlPitch = 0.035f;
   } else if (style == Style::Long) {
     s.pointsPerGuide = 28;
     s.points = 41;
     s.cutHeightFront = -0.36f, s.cutHeightBack = -0.42f;
     s.minLength = 0.4f, s.maxLength = 0.7f;
+    s.partAtShoulders = 1;
     s.volume = 0.018f, s.waviness = 0.14f, s.turnIn = 0.15f;
   }
   return s;
@@ -87,7 +89,7 @@ Groom makeGroom(const StyleSettings& settings, const MeshSdf& headSdf) {
       std::array<glm::vec3, 3> guideRoots;
       placeGuideRoots(settings, headSdf, cells.centres[w], cellRadius[w], wisp, guideRoots);
       for (std::size_t k = 0; k < 3; ++k)
-        combGuide(settings, headSdf, guideRoots[k], wisp,
+        combGuide(settings, headSdf, guideRoots[k], cells.centres[w], wisp,
                   std::span(groom.guidePoints)
                       .subspan((3 * w + k) * settings.pointsPerGuide, settings.pointsPerGuide));
     }

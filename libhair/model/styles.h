@@ -26,7 +26,7 @@ struct StyleSettings {
   float hairs = 100'000;  ///< that the drawn strands stand for together
 
   // The cut: a guide ends at the cut height, or at the greatest length.
-  float cutHeightFront = -0.11f;  ///< beside the face, head space
+  float cutHeightFront = -0.095f;  ///< beside the face, head space
   float cutHeightBack = -0.16f;
   float minLength = 0.16f;
   float maxLength = 0.38f;
@@ -34,13 +34,16 @@ struct StyleSettings {
 
   // How it lies.
   Parting parting;
-  float volume = 0.016f;   ///< how far the uppermost hair lies from the head
-  float rootLift = 0.6f;   ///< 0: hair leaves the scalp flat, 1: at 45 degrees
-  float waviness = 0.10f;  ///< radians that wisps swing from side to side
-  float turnIn = 0.5f;     ///< how much the tips turn to the neck, 0 to 1
+  float partingJitter = 0;    ///< how far from it wisps still fall to either side
+  float partAtShoulders = 0;  ///< 0: hair lies on them, 1: it falls before or behind them
+  float volume = 0.016f;      ///< how far the uppermost hair lies from the head
+  float rootLift = 0.3f;      ///< 0: hair leaves the scalp flat, 1: at 45 degrees
+  float waviness = 0.35f;     ///< radians that wisps swing from side to side
+  float turnIn = 0.5f;        ///< how much the tips turn to the neck, 0 to 1
 
   // How drawn strands fill a wisp.
-  float clump = 0.35f;      ///< how far they come together at the tips, 0 to 1
+  float clump = 0.65f;      ///< how far they come together, 0 to 1
+  float clumpBy = 1;        ///< by which share of the length they have
   float spread = 0.75f;     ///< what is left of a root's place in its wisp at the tip, 0 to 1
   float curlRadius = 0;     ///< 0: no curls
   float curlPitch = 0.03f;  ///< along the guide, a turn

@@ -7,6 +7,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/guides/guide_strands.h>
+#include <libhair/model/resample.h>
 #include <libhair/wisps/wisps.h>
 
 namespace hair {
@@ -54,26 +55,6 @@ std::vector<std::uint32_t> chooseGuides(const std::vector<Feature>& features, st
   return chosen;
 }
 
-// n points at equal distances along the polyline.
-void resample(std::span<const glm::vec3> points, std::uint32_t n, std::vector<glm::vec3>& out) {
-  const float step = arcLength(points) / static_cast<float>(n - 1);
-  out.push_back(points.front());
-  std::size_t segment = 0;
-  float passed = 0;  // length before the segment
-  for (std::uint32_t i = 1; i + 1 < n; ++i) {
-    const float at = step * static_cast<float>(i);
-    float length = glm::distance(points[segment], points[segment + 1]);
-    while (segment + 2 < points.size() && passed + length < at) {
-      passed += length;
-      ++segment;
-      length = glm::distance(points[segment], points[segment + 1]);
-    }
-    const float t = length > 0 ? glm::clamp((at - passed) / length, 0.0f, 1.0f) : 0.0f;
-    out.push_back(glm::mix(points[segment], points[segment + 1], t));
-  }
-  out.push_back(points.back());
-}
-
 }  // namespace
 
 Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
@@ -88,8 +69,8 @@ Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
 
   Groom groom;
   groom.pointsPerGuide = settings.pointsPerGuide;
-  for (std::uint32_t g : guides)
-    resample(strands.strand(g), settings.pointsPerGuide, groom.guidePoints);
+  groom.guidePoints = resample(planResampling(strands, guides, settings.pointsPerGuide),
+                               std::vector(strands.points.begin(), strands.points.end()));
   groom.first.assign(strands.first.begin(), strands.first.end());
   groom.parents.resize(strands.strandCount());
   groom.weights.resize(strands.strandCount());

@@ -1,0 +1,86 @@
+#include <apps/common/performance.h>
+
+#include <iomanip>
+#include <sstream>
+
+#include <libhair/core/error.h>
+#include <libhair/core/state_hash.h>
+#include <libhair/guides/measure.h>
+
+namespace hair {
+
+FrameSettings frameSettings(const Subject& subject, const PerformanceOptions& options) {
+  require(options.fps >= 1 && options.fps <= 1000, "--fps: ", options.fps, " is not in 1 to 1000");
+  FrameSettings settings;
+  settings.selfCollision = options.selfCollision;
+  settings.wind.velocity = options.wind;
+  settings.shadow = options.shadow;
+  settings.look = subject.look;
+  settings.light.direction = makeLightSpace(options.light).direction();
+  const glm::vec3 headSize = bounds(subject.head.mesh.positions).size();
+  settings.map.cells = options.cells;
+  settings.map.cellSize = mapExtentNeeded(subject.longestStrand, std::min(0.3f, headSize.y)) /
+                          static_cast<float>(options.cells);
+  return settings;
+}
+
+Performance::Performance(const Subject& subject_, const PerformanceOptions& options)
+    : subject(subject_),
+      settings(frameSettings(subject_, options)),
+      hair(subject_.groom, settings,
+           {subject_.motion.pose(0).worldFromHead, subject_.motion.pose(0).capsules},
+           subject_.headCollider.get()),
+      pose(subject_.motion.pose(0)),
+      fps_(options.fps),
+      settle_(options.settle) {
+  restart();
+}
+
+void Performance::restart() {
+  time = 0;
+  log = {};
+  subject.motion.pose(0, pose);
+  hair::restart({pose.worldFromHead, pose.capsules}, settings, static_cast<float>(settle_), hair);
+  relight();
+}
+
+void Performance::step() {
+  profile = {};
+  const double duration = subject.motion.duration();
+  time += 1 / fps_;
+  if (!subject.motion.isLoop() && duration > 0 && time > duration) return restart();
+  {
+    const StageTimer timer(profile, Stage::Motion,
+                           static_cast<std::int64_t>(pose.worldFromJoint.size()));
+    subject.motion.pose(time, pose);
+  }
+  frame({pose.worldFromHead, pose.capsules}, settings, static_cast<float>(1 / fps_), hair, profile);
+  log.add(profile);
+}
+
+void Performance::relight() {
+  FrameProfile unused{};
+  light(settings, hair, unused);
+}
+
+void StatsLog::add(const Performance& p) {
+  const GuideStats s =
+      measureGuides(p.hair.guides, p.settings.guides, p.pose.capsules, p.hair.head);
+  rows_ += text(frames_++, ',', s.stretchMax, ',', s.stretchRms, ',', s.penetrationMax, ',',
+                s.kineticEnergy, ',', s.speedMax, '\n');
+}
+
+std::string StatsLog::csv() const {
+  return rows_;
+}
+
+std::string stateHash(const Hair& hair) {
+  StateHash hash;
+  hair.guides.addTo(hash);
+  hash.add(std::span<const glm::vec3>(hair.wisps.points));
+  std::ostringstream out;
+  out << std::hex << std::setw(16) << std::setfill('0') << hash.value();
+  return out.str();
+}
+
+}  // namespace hair

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include <apps/common/subject.h>
+#include <libhair/core/profile.h>
+#include <libhair/frame.h>
+
+namespace hair {
+
+/// What of a performance the command line sets.
+struct PerformanceOptions {
+  double fps = 60;                       ///< --fps, frames a second of the picture
+  int cells = 128;                       ///< --cells of the light's map along each axis
+  glm::vec3 light{0.45f, -0.8f, -0.4f};  ///< --light X,Y,Z, the way light travels
+  bool shadow = true;                    ///< --no-shadow
+  bool selfCollision = true;             ///< --no-self-collision
+  glm::vec3 wind{0};                     ///< --wind X,Y,Z, m/s
+  float settle = 1;  ///< --settle, seconds in the first pose before the first frame
+};
+
+/// Settings of a frame for this subject: the map is as large as its hair needs (mapExtentNeeded).
+FrameSettings frameSettings(const Subject& subject, const PerformanceOptions& options);
+
+/// A subject that performs its motion, frame after frame.
+class Performance {
+ public:
+  Performance(const Subject& subject, const PerformanceOptions& options);
+
+  /// To the first pose, settled.
+  void restart();
+  /// One frame on: body, hair, shadows, shading. Starts again after a motion that is no loop ends.
+  void step();
+  /// Shadows and shades again without moving (camera, light or settings have changed).
+  void relight();
+
+  const Subject& subject;
+  FrameSettings settings;  ///< may be changed between frames
+  Hair hair;
+  BodyPose pose;           ///< at the end of the last frame
+  FrameProfile profile{};  ///< of the last frame
+  ProfileLog log;          ///< of all frames since the restart
+  double time = 0;         ///< seconds of the motion
+
+ private:
+  double fps_, settle_;
+};
+
+/// Writes per-frame figures:
+/// frame,stretch_max,stretch_rms,penetration_max_m,kinetic_energy_J,speed_max
+class StatsLog {
+ public:
+  void add(const Performance& performance);
+  std::string csv() const;
+
+ private:
+  std::string rows_ =
+      "frame,stretch_max,stretch_rms,penetration_max_m,kinetic_energy_J,speed_max\n";
+  std::size_t frames_ = 0;
+};
+
+/// 16 hexadecimal digits over the state of guides and drawn hair.
+std::string stateHash(const Hair& hair);
+
+}  // namespace hair

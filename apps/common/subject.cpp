@@ -1,0 +1,123 @@
+#include <apps/common/subject.h>
+
+#include <algorithm>
+
+#include <libhair/core/error.h>
+#include <libhair/files/bvh_file.h>
+#include <libhair/files/obj.h>
+#include <libhair/model/head_fit.h>
+#include <libhair/model/resample.h>
+#include <libhair/wisps/bind.h>
+
+namespace hair {
+
+namespace {
+
+constexpr float kColliderCell = 0.004f, kColliderMargin = 0.03f;
+
+KajiyaKaySettings lookOf(Style style) {
+  KajiyaKaySettings look;
+  if (style == Style::Curly) {
+    look.rootColour = {0.21f, 0.045f, 0.016f};
+    look.tipColour = {0.34f, 0.085f, 0.03f};
+  }
+  return look;
+}
+
+StrandSet loadHair(const SubjectOptions& options, std::vector<std::string>& notes) {
+  StrandFile file = readStrands(options.hair, options.read);
+  notes.push_back(text(options.hair.filename().string(), ": ", file.strands.strandCount(),
+                       " strands, ", file.strands.pointCount(), " points; ", file.scale,
+                       " m a unit, up axis ", upAxisText(file.up)));
+  const std::size_t dropped = dropDegenerate(file.strands);
+  if (dropped > 0)
+    notes.push_back(text("dropped ", dropped, " strands of a single point or shorter than 1 mm"));
+  require(file.strands.strandCount() > 0, options.hair.string(),
+          ": no strand is longer than 1 mm; check --scale");
+  if (options.strands > 0 || options.points > 0) {
+    const std::size_t count = options.strands > 0 ? options.strands : file.strands.strandCount();
+    if (count > file.strands.strandCount())
+      notes.push_back(
+          text("--strands ", count, ": the file has only ", file.strands.strandCount()));
+    const ResamplePlan plan = planResampling(
+        file.strands, chooseStrands(file.strands.strandCount(), count), options.points);
+    file.strands = {resample(plan, file.strands.points), plan.first};
+  }
+  return std::move(file.strands);
+}
+
+std::vector<glm::vec3> rootsOf(StrandView strands) {
+  std::vector<glm::vec3> roots;
+  for (std::size_t s = 0; s < strands.strandCount(); ++s)
+    roots.push_back(strands.strand(s).front());
+  return roots;
+}
+
+// Head and groom together, as each has to fit the other.
+Groom makeHair(const SubjectOptions& options, Head& head, std::unique_ptr<MeshSdf>& collider,
+               std::vector<std::string>& notes) {
+  if (options.hair.empty()) {
+    require(options.head.empty(),
+            "--head: the built-in styles grow on the built-in head; give --hair too");
+    head = builtinHead();
+    collider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
+    StyleSettings style = styleSettings(options.style);
+    if (options.strands > 0) style.strands = options.strands;
+    if (options.points > 0) style.points = options.points;
+    return makeGroom(style, *collider);
+  }
+  StrandSet strands = loadHair(options, notes);
+  const std::vector<glm::vec3> roots = rootsOf(strands);
+  RigidTransform headFromFile;
+  if (options.head.empty()) {
+    HeadFit fit = fitHeadToRoots(roots);
+    head = std::move(fit.head);
+    headFromFile = fit.headFromHair;
+    notes.push_back(
+        text("no --head: the built-in head was scaled under the roots, which lie on it to ",
+             fit.residual * 1000, " mm (mean)"));
+  } else {
+    head.mesh = readObj(options.head);
+    headFromFile = placeHead(head.mesh, roots);
+    for (glm::vec3& p : head.mesh.positions) p = headFromFile.point(p);
+  }
+  collider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
+  for (glm::vec3& p : strands.points) p = headFromFile.point(p);
+  BindSettings bind;
+  bind.guides = options.guides;
+  return bindGroom(strands, bind);
+}
+
+Motion makeMotion(const SubjectOptions& options, std::vector<std::string>& notes) {
+  if (options.still) return Motion::still();
+  if (options.motion.empty()) return Motion::dance();
+  Motion motion(clipFromBvh(readBvh(options.motion), options.motionScale));
+  const auto& joints = motion.clip().skeleton.names;
+  if (motion.droppedFrames() > 0)
+    notes.push_back(text(options.motion.filename().string(), ": dropped ", motion.droppedFrames(),
+                         " frames of a calibration pose at the start"));
+  for (const Flip& flip : motion.flips())
+    notes.push_back(text(options.motion.filename().string(), ": ", joints[flip.joint], " flips by ",
+                         flip.degrees, " degrees at frame ", flip.frame, "; ", flip.frames,
+                         flip.frames == 1 ? " frame" : " frames", " interpolated"));
+  for (const std::string& note : motion.body().notes) notes.push_back(note);
+  return motion;
+}
+
+float longest(const Groom& groom) {
+  float length = 0;
+  for (std::size_t g = 0; g < groom.guideCount(); ++g)
+    length = std::max(length, arcLength(groom.guide(g)));
+  return length;
+}
+
+}  // namespace
+
+Subject::Subject(const SubjectOptions& options)
+    : groom(makeHair(options, head, headCollider, notes)),
+      motion(makeMotion(options, notes)),
+      body(motion.body()),
+      look(lookOf(options.hair.empty() ? options.style : Style::Smooth)),
+      longestStrand(longest(groom)) {}
+
+}  // namespace hair

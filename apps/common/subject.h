@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <libhair/files/strand_file.h>
+#include <libhair/frame.h>
+#include <libhair/model/body_mesh.h>
+#include <libhair/model/head.h>
+#include <libhair/model/styles.h>
+#include <libhair/motion/motion.h>
+
+namespace hair {
+
+/// Whose hair: what the options of `dance` and `hair simulate` say in the same words.
+struct SubjectOptions {
+  Style style = Style::Smooth;   ///< --style, unless `hair` is given
+  std::filesystem::path hair;    ///< --hair FILE; empty: the style
+  std::filesystem::path head;    ///< --head FILE; empty: the built-in head, fitted to the hair
+  std::filesystem::path motion;  ///< --motion FILE.bvh; empty: the built-in dance
+  bool still = false;            ///< --still: nobody moves
+  ReadOptions read;              ///< --scale, --up: of the hair file and the head file
+  float motionScale = 0.01f;     ///< --motion-scale: metres per unit of the clip
+  std::uint32_t strands = 0;     ///< --strands; 0: the style's, or all of the file's
+  std::uint32_t points = 0;      ///< --points a strand; 0: the style's, or the file's
+  std::uint32_t guides = 402;    ///< --guides, of a loaded groom
+};
+
+/// Head, hair, body and motion, all loaded and in the library's units.
+struct Subject {
+  explicit Subject(const SubjectOptions& options);
+  Subject(const Subject&) = delete;  // Hair keeps references into it
+  Subject& operator=(const Subject&) = delete;
+
+  Head head;  ///< head space
+  std::unique_ptr<MeshSdf> headCollider;
+  Groom groom;
+  Motion motion;
+  BodyMesh body;
+  KajiyaKaySettings look;
+  float longestStrand = 0;         ///< metres
+  std::vector<std::string> notes;  ///< what was assumed, dropped or repaired, for the user
+};
+
+}  // namespace hair

@@ -1,0 +1,114 @@
+// The program `hair`: reads the command line; commands.h says what each command does.
+// Exit codes: 0 done, 1 bad input or a failure (one line on the error stream), 2 bad usage.
+#include <exception>
+#include <functional>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include <apps/common/command_line.h>
+#include <apps/hair/commands.h>
+#include <libhair/core/error.h>
+
+namespace hair {
+namespace {
+
+// What the chosen command will do once the whole command line has been understood.
+using Run = std::function<void()>;
+
+void addInfo(CLI::App& app, Run& run) {
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* command = app.add_subcommand("info", "Say what a file holds");
+  command->add_option("FILE", options->file, ".hair, .tfx, .data, .obj or .bvh")->required();
+  addReadOptions(*command, options->read);
+  command->footer(
+      "Examples:\n"
+      "  hair info straight.hair\n"
+      "  hair info exported.hair --scale 0.01 --up z-back   # centimetres, from Blender\n"
+      "A head is about 0.2 m high: if the bounds say otherwise, give --scale.");
+  command->callback([options, &run] { run = [options] { runInfo(*options); }; });
+}
+
+void addConvert(CLI::App& app, Run& run) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command =
+      app.add_subcommand("convert", "Write strands of any format as .hair in metres, +Y up");
+  command->add_option("IN", options->in, ".hair, .tfx or .data")->required();
+  command->add_option("OUT", options->out, "file to write, .hair")
+      ->required()
+      ->check(endsWith(".hair"));
+  addReadOptions(*command, options->read);
+  command
+      ->add_option("--strands", options->strands,
+                   "keep so many strands, a random choice that is always the same")
+      ->check(CLI::Range(1, 2'000'000'000));
+  command
+      ->add_option("--points", options->points,
+                   "points of every strand, evenly along its length; default: as they are")
+      ->check(CLI::Range(2, 65536));
+  command
+      ->add_option("--min-length", options->minLength,
+                   "drop strands that are shorter, metres; default 0.001")
+      ->check(CLI::NonNegativeNumber);
+  command->footer(
+      "Examples:\n"
+      "  hair convert sintel.tfx sintel.hair\n"
+      "  hair convert strands.data light.hair --strands 2000 --points 32\n"
+      "Colours, thickness and transparency of .hair files come along.");
+  command->callback([options, &run] { run = [options] { runConvert(*options); }; });
+}
+
+void addSimulate(CLI::App& app, Run& run) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command =
+      app.add_subcommand("simulate", "Simulate hair; write strands, times, statistics or a hash");
+  addSubjectOptions(*command, options->subject);
+  addPerformanceOptions(*command, options->performance, options->threads);
+  command->add_option("--frames", options->frames, "frames to simulate; default 120")
+      ->check(CLI::Range(1, 10'000'000));
+  command
+      ->add_option("--out", options->out,
+                   "strands of every frame: out.hair becomes out.0000.hair, out.0001.hair ...")
+      ->check(endsWith(".hair"));
+  command->add_option("--profile", options->profile, "times by stage, CSV")
+      ->check(endsWith(".csv"));
+  command
+      ->add_option("--stats", options->stats,
+                   "stretch, penetration, energy and speed of every frame, CSV")
+      ->check(endsWith(".csv"));
+  command->add_flag("--hash", options->hash,
+                    "last line: `hash` and 16 digits over the state's bits");
+  command->footer(
+      "Examples:\n"
+      "  hair simulate --style smooth --frames 600 --hash\n"
+      "  hair simulate --hair sintel.tfx --head sintel.obj --motion dance.bvh --out sintel.hair\n"
+      "  hair simulate --style curly --profile times.csv --stats stats.csv");
+  command->callback([options, &run] { run = [options] { runSimulate(*options); }; });
+}
+
+int program(int argc, char** argv) {
+  CLI::App app("Hair: files, simulation, pictures. `hair COMMAND --help` teaches each command.",
+               "hair");
+  app.set_version_flag("--version", "hair " HAIR_VERSION);
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 done, 1 bad input, 2 bad usage.");
+  Run run;
+  addInfo(app, run);
+  addConvert(app, run);
+  addSimulate(app, run);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  run();
+  require(std::cout.flush().good(), "cannot write to the standard output");
+  return 0;
+}
+
+}  // namespace
+}  // namespace hair
+
+int main(int argc, char** argv) {
+  return hair::runReporting("hair", [&] { return hair::program(argc, argv); });
+}
