@@ -56,8 +56,9 @@ OffscreenContext::OffscreenContext() : handles(std::make_unique<Handles>()) {
 OffscreenContext::~OffscreenContext() = default;
 
 void OffscreenContext::makeCurrent() {
-  require(eglMakeCurrent(handles->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles->context),
-          "cannot draw without a screen: eglMakeCurrent failed (EGL error 0x", std::hex,
+  const bool current =
+      eglMakeCurrent(handles->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles->context);
+  require(current, "cannot draw without a screen: eglMakeCurrent failed (EGL error 0x", std::hex,
           eglGetError(), "); a context is current on one thread at a time");
 }
 

@@ -8,9 +8,6 @@
 namespace hair::draw {
 namespace {
 
-// A hair's root lies on the very surface that casts the shadow: stay this far towards the light.
-constexpr float kShadowDistance = 0.004f;
-
 gl::Program linked(const char* name, const shaders::Source& s) {
   return gl::link(name, s.vertex, s.geometry, s.fragment);
 }
@@ -106,8 +103,7 @@ void HairPass::draw(const Scene& scene, bool left) {
     const bool asLines = hair.primitive == HairPrimitive::Lines;
     const gl::Program& program = asLines ? lines : ribbons;
     glUseProgram(program);
-    glUniform4f(gl::uniform(program, "strand"), hair.width, hair.opacity, hair.tipWidth,
-                kShadowDistance);
+    glUniform3f(gl::uniform(program, "strand"), hair.width, hair.opacity, hair.tipWidth);
     glBindVertexArray(layer.array);
     gl::upload(GL_ARRAY_BUFFER, layer.colours,
                left && !hair.leftColours.empty() ? hair.leftColours : hair.colours, GL_STREAM_DRAW);
@@ -132,8 +128,8 @@ void HairPass::drawDepth(const Scene& scene, const glm::mat4& clipFromWorld, flo
     const HairLayer& hair = scene.hair[k];
     Layer& layer = layers[k];
     if (layer.casterCount == 0) continue;
-    glUniform1f(gl::uniform(depth, "rootDepth"),
-                layer.casterWeight * hair.opacity * hair.width / texel);
+    const float blocks = hair.shadowWidth > 0 ? hair.shadowWidth : hair.width * hair.opacity;
+    glUniform1f(gl::uniform(depth, "rootDepth"), layer.casterWeight * blocks / texel);
     glUniform1f(gl::uniform(depth, "tipWidth"), hair.tipWidth);
     glBindVertexArray(layer.array);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, layer.casters);

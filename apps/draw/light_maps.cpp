@@ -1,11 +1,9 @@
 #include <apps/draw/light_maps.h>
 
-#include <cmath>
-
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <apps/draw/light_view.h>
 #include <apps/draw/shaders.h>
-#include <libhair/core/transform.h>
 
 namespace hair::draw {
 namespace {
@@ -49,33 +47,6 @@ void bindTexture(GLuint unit, const gl::Texture& texture) {
   glBindTexture(GL_TEXTURE_2D, texture);
 }
 
-struct LightView {
-  glm::mat4 clipFromWorld;
-  float texel;  // metres
-};
-
-/// A square as the light sees it around all that casts shadows. Its side grows in steps and its
-/// middle moves by whole pixels, so that shadow edges do not swim while the subject moves.
-LightView lightView(glm::vec3 towardsLight, const Bounds& casters, int size) {
-  const glm::vec3 z = towardsLight, x = anyNormal(z), y = glm::cross(z, x);
-  const glm::mat3 lightFromWorld = glm::transpose(glm::mat3(x, y, z));
-  Bounds seen;
-  for (int i = 0; i < 8; ++i) {
-    seen.extend(lightFromWorld * glm::vec3(i & 1 ? casters.upper.x : casters.lower.x,
-                                           i & 2 ? casters.upper.y : casters.lower.y,
-                                           i & 4 ? casters.upper.z : casters.lower.z));
-  }
-  constexpr float kStep = 0.25f;
-  const float wanted = std::max(seen.size().x, seen.size().y) + 0.02f;
-  const float side = kStep * std::ceil(wanted / kStep), texel = side / float(size);
-  const glm::vec2 corner =
-      texel * glm::floor((glm::vec2(seen.centre()) - 0.5f * side) / texel + 0.5f);
-  const float margin = 0.05f;
-  const glm::mat4 clipFromLight = glm::ortho(corner.x, corner.x + side, corner.y, corner.y + side,
-                                             -seen.upper.z - margin, -seen.lower.z + margin);
-  return {clipFromLight * glm::mat4(lightFromWorld), texel};
-}
-
 const glm::mat4 kTextureFromClip =
     glm::scale(glm::translate(glm::mat4(1), glm::vec3(0.5f)), glm::vec3(0.5f));
 
@@ -100,7 +71,7 @@ void LightMaps::update(const Scene& scene, const MeshStore& meshes, HairPass& ha
   const Bounds h = hair.worldBounds();
   if (h.lower.x <= h.upper.x) casters.extend(h.lower), casters.extend(h.upper);
   if (casters.lower.x > casters.upper.x) casters.extend(glm::vec3(0));
-  const LightView view = lightView(glm::vec3(frame.towardsLight), casters, size);
+  const LightView view = lightView(glm::vec3(frame.towardsLight), casters, casters, size);
   frame.shadowFromWorld = kTextureFromClip * view.clipFromWorld;
   frame.towardsLight.w = view.texel;
   frame.shadowTexel = glm::vec4(1.0f / float(size), 0, 0, 0);

@@ -1,5 +1,6 @@
 #include <apps/draw/mesh_store.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -22,10 +23,12 @@ std::uint64_t hashBytes(std::uint64_t hash, const void* data, std::size_t size) 
   return hash;
 }
 
-std::uint64_t contentHash(const TriangleMesh& mesh) {
+std::uint64_t contentHash(const MeshLayer& layer) {
+  const TriangleMesh& mesh = *layer.mesh;
   std::uint64_t h = mesh.positions.size() * 31 + mesh.triangles.size();
   h = hashBytes(h, mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
   h = hashBytes(h, mesh.normals.data(), mesh.normals.size() * sizeof(glm::vec3));
+  h = hashBytes(h, layer.vertexColours.data(), layer.vertexColours.size_bytes());
   return hashBytes(h, mesh.triangles.data(), mesh.triangles.size() * sizeof(glm::uvec3));
 }
 
@@ -49,9 +52,12 @@ void MeshStore::update(const Scene& scene) {
     require(mesh.normals.size() == mesh.positions.size(), "a mesh of the scene has ",
             mesh.positions.size(), " vertices but ", mesh.normals.size(),
             " normals: call computeNormals");
+    require(layer.vertexColours.empty() || layer.vertexColours.size() == mesh.positions.size(),
+            "a mesh of the scene has ", mesh.positions.size(), " vertices but ",
+            layer.vertexColours.size(), " colours");
     Entry& entry = entries[layer.mesh];
     entry.used = true;
-    const std::uint64_t hash = contentHash(mesh);
+    const std::uint64_t hash = contentHash(layer);
     if (entry.hash == hash && entry.indexCount > 0) continue;
     entry.hash = hash;
     entry.indexCount = GLsizei(3 * mesh.triangles.size());
@@ -66,6 +72,12 @@ void MeshStore::update(const Scene& scene) {
     gl::upload<glm::vec3>(GL_ARRAY_BUFFER, entry.vertices, both, GL_STATIC_DRAW);
     gl::upload<glm::uvec3>(GL_ELEMENT_ARRAY_BUFFER, entry.triangles, mesh.triangles,
                            GL_STATIC_DRAW);
+    both.assign(mesh.positions.size(), glm::vec3(1));
+    std::ranges::copy(layer.vertexColours, both.begin());
+    gl::upload<glm::vec3>(GL_ARRAY_BUFFER, entry.colours, both, GL_STATIC_DRAW);
+    glEnableVertexAttribArray(2);
+    glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+    glBindBuffer(GL_ARRAY_BUFFER, entry.vertices);
     for (GLuint i : {0u, 1u}) {
       glEnableVertexAttribArray(i);
       glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 2 * sizeof(glm::vec3),

@@ -29,7 +29,7 @@ class MeshStore {
  private:
   struct Entry {
     gl::VertexArray array;
-    gl::Buffer vertices, triangles;
+    gl::Buffer vertices, colours, triangles;
     std::uint64_t hash = 0;
     GLsizei indexCount = 0;
     Bounds bounds;

@@ -8,6 +8,7 @@
 #include <apps/draw/hair_pass.h>
 #include <apps/draw/light_maps.h>
 #include <apps/draw/mesh_store.h>
+#include <apps/draw/mesh_visibility.h>
 #include <apps/draw/shaders.h>
 #include <apps/draw/targets.h>
 #include <libhair/core/error.h>
@@ -40,6 +41,7 @@ struct Renderer::State {
   MeshStore meshes;
   HairPass hair;
   LightMaps lightMaps;
+  MeshVisibility visibility;
   gl::Buffer frameBuffer, debugBuffer;
   gl::VertexArray empty, debugArray;
   gl::Program background = linked("background", shaders::background());
@@ -108,14 +110,15 @@ void Renderer::State::drawView(const Scene& scene, FrameBlock frame, glm::ivec4 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
 
+  // What hides most first: pixels that are hidden are never shaded.
+  meshes.draw(scene);
   glBindVertexArray(empty);
-  glUseProgram(background);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
   if (scene.ground.visible) {
     glUseProgram(ground);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
-  meshes.draw(scene);
+  glUseProgram(background);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
   hair.draw(scene, left);
   drawDebug(scene.debug);
   glDisable(GL_SCISSOR_TEST);
@@ -143,6 +146,13 @@ void Renderer::State::drawDebug(const DebugLayer& layer) {
   draw(GL_POINTS, layer.points);
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
+}
+
+void Renderer::meshVisibility(const Scene& scene, std::span<const glm::vec3> points,
+                              std::span<float> visibility) {
+  checkScene(scene);
+  state->meshes.update(scene);
+  state->visibility.compute(scene, state->meshes, points, visibility);
 }
 
 void Renderer::read(Picture& picture) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include <apps/draw/picture.h>
 #include <apps/draw/scene.h>
@@ -10,7 +11,7 @@ namespace hair::draw {
 /// How much work goes into a picture.
 struct RenderSettings {
   int samples = 4;                 ///< of multisampling; 1, 2, 4 or 8
-  int shadowMapSize = 2048;        ///< pixels on a side, [64, 8192]
+  int shadowMapSize = 1024;        ///< pixels on a side, [64, 8192]
   int shadowHairSegments = 60000;  ///< at most so many cast the hair's shadow on meshes
 };
 
@@ -27,6 +28,12 @@ class Renderer {
   /// Draws the scene at a size in pixels. Throws Error for sizes outside [1, 16384] and for colour
   /// arrays that do not fit their strands.
   void draw(const Scene& scene, int width, int height);
+
+  /// What the scene's meshes leave of the sun at points, to shade hair with: 0 in the shadow of a
+  /// head or body, 1 in the light, in between at the shadow's edge. Both arrays [pointCount].
+  /// Points on or just under a surface that faces the light (the roots of hair) are in the light.
+  void meshVisibility(const Scene& scene, std::span<const glm::vec3> points,
+                      std::span<float> visibility);
 
   /// Reads back what was drawn last.
   void read(Picture& picture) const;

@@ -23,9 +23,8 @@ enum class HairPrimitive {
 struct HairLayer {
   StrandView strands;
 
-  /// [pointCount] shaded colour, the library's light and self-shadow already in it: bytes R, G, B,
-  /// A from the lowest, sRGB. A is the share of the colour that does not come from the directional
-  /// light (ambient / whole): what is left where a mesh stands in the light. 255 = never shadowed.
+  /// [pointCount] shaded colour, all light and shadow already in it: bytes R, G, B, A from the
+  /// lowest, sRGB; A / 255 multiplies the opacity.
   std::span<const std::uint32_t> colours;
 
   /// [pointCount] or empty: the colours of the left half when `Scene::sideBySide` is set (say,
@@ -35,6 +34,9 @@ struct HairLayer {
   float width = 1.5e-4f;   ///< of a strand, metres
   float opacity = 0.8f;    ///< of a strand seen full on, (0, 1]
   float tipWidth = 0.25f;  ///< width at the tip as a share of `width`, [0, 1]
+  /// Width that a strand takes out of the light on meshes, metres; 0: width times opacity. A drawn
+  /// strand that stands for many hairs casts the shadow of all of them.
+  float shadowWidth = 0;
   HairPrimitive primitive = HairPrimitive::Lines;
 };
 
@@ -43,8 +45,10 @@ struct HairLayer {
 struct MeshLayer {
   const TriangleMesh* mesh = nullptr;
   glm::mat4 worldFromMesh{1};
-  glm::vec3 colour{0.55f, 0.42f, 0.36f};  ///< albedo, linear, [0, 1]
-  float roughness = 0.55f;                ///< [0.05, 1]
+  glm::vec3 colour{0.50f, 0.33f, 0.25f};  ///< albedo, linear, [0, 1]
+  /// [vertexCount] factors of the colour, or empty: all ones. (A darker scalp, say.)
+  std::span<const glm::vec3> vertexColours;
+  float roughness = 0.55f;  ///< [0.05, 1]
 };
 
 /// Coloured lines and dots for what is usually hidden. Colours as in HairLayer, A = opacity.
@@ -70,10 +74,10 @@ std::uint32_t packColour(glm::vec4 srgb);
 
 /// The sun of the scene, and the sky that fills its shadows.
 struct Light {
-  glm::vec3 direction{0.5f, -0.8f, 0.35f};  ///< the way light travels; any length > 0
-  glm::vec3 colour{1.0f, 0.96f, 0.90f};     ///< linear
-  float intensity = 2.6f;                   ///< of the directional light on meshes, >= 0
-  float ambient = 0.55f;                    ///< of the sky on meshes, >= 0
+  glm::vec3 direction{-0.5f, -0.8f, -0.45f};  ///< the way light travels; any length > 0
+  glm::vec3 colour{1.0f, 0.96f, 0.90f};       ///< linear
+  float intensity = 2.2f;                     ///< of the directional light on meshes, >= 0
+  float ambient = 0.55f;                      ///< of the sky on meshes, >= 0
 };
 
 /// A floor that fades into the background at some distance.
@@ -85,8 +89,8 @@ struct Ground {
 };
 
 struct Background {
-  glm::vec3 middle{0.78f, 0.80f, 0.83f};  ///< sRGB, behind the subject
-  glm::vec3 edge{0.42f, 0.45f, 0.50f};    ///< sRGB, in the corners
+  glm::vec3 middle{0.70f, 0.72f, 0.75f};  ///< sRGB, behind the subject
+  glm::vec3 edge{0.30f, 0.32f, 0.36f};    ///< sRGB, in the corners
 };
 
 /// Everything of one picture.

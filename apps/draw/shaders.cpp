@@ -31,7 +31,7 @@ vec3 linearFromSrgb(vec3 c) { return pow((c + 0.055) / 1.055, vec3(2.4)); }
 // Share of the sun that meshes let through to a point; four filtered look-ups.
 float sunPastMeshes(vec3 world) {
   vec3 p = (shadowFromWorld * vec4(world, 1)).xyz;
-  if (p.z >= 1.0) return 1.0;
+  p.z = min(p.z, 0.99999);  // beyond all casters: whatever is there is in between
   float s = 0.0, o = 0.8 * shadowTexel.x;
   s += texture(meshShadow, p + vec3(-o, -o, 0));
   s += texture(meshShadow, p + vec3(o, -o, 0));
@@ -118,11 +118,14 @@ Source mesh() {
   return {kFrame + R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 tint;
 uniform mat4 worldFromMesh;
 uniform mat3 worldFromNormal;
 out vec3 world;
 out vec3 worldNormal;
+out vec3 vertexTint;
 void main() {
+  vertexTint = tint;
   world = (worldFromMesh * vec4(position, 1)).xyz;
   worldNormal = worldFromNormal * normal;
   gl_Position = clipFromWorld * vec4(world, 1);
@@ -131,6 +134,7 @@ void main() {
           "", kFrame + R"(
 in vec3 world;
 in vec3 worldNormal;
+in vec3 vertexTint;
 uniform vec3 albedo;
 uniform float roughness;
 out vec4 pixel;
@@ -157,12 +161,12 @@ void main() {
     if (lit > 0.0) lit *= sunPastHair(world);
   }
   // Light wanders a little under the surface: past the terminator, and redder there.
-  vec3 wrap = vec3(0.16, 0.08, 0.06);
+  vec3 wrap = vec3(0.11, 0.07, 0.055);
   vec3 diffuse = clamp((vec3(nl) + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0, 1.0);
   vec3 bounce = groundColour.rgb * (0.35 * sky.rgb + 0.05 * sun.rgb);
   vec3 around = mix(bounce, sky.rgb, 0.5 + 0.5 * n.y);
   float rim = pow(1.0 - max(dot(n, v), 0.0), 4.0);
-  vec3 c = albedo * (sun.rgb * diffuse * lit + around) +
+  vec3 c = albedo * vertexTint * (sun.rgb * diffuse * lit + around) +
            sun.rgb * gloss(n, v, l) * max(nl, 0.0) * lit + 0.25 * around * rim;
   pixel = vec4(film(c), 1);
 }
@@ -250,16 +254,14 @@ Source hairLines() {
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 colour;
 layout(location = 2) in float along;
-uniform vec4 strand;  // width, opacity, tip width, distance kept from meshes in the shadow map
+uniform vec3 strand;  // width, opacity, tip width
 out vec4 shade;
 void main() {
   gl_Position = clipFromWorld * vec4(position, 1);
   float width = strand.x * mix(1.0, strand.z, along * along);
   float pixels = width * eye.w / max(gl_Position.w, 1e-4);
-  float sunlit = sunPastMeshes(position + strand.w * towardsLight.xyz);
   // A line is a pixel wide: what is thinner covers its share of it.
-  shade = vec4(linearFromSrgb(colour.rgb) * mix(colour.a, 1.0, sunlit),
-               strand.y * min(pixels, 1.0));
+  shade = vec4(linearFromSrgb(colour.rgb), strand.y * colour.a * min(pixels, 1.0));
 }
 )",
           "", kVersion + R"(
@@ -274,14 +276,13 @@ Source hairRibbons() {
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 colour;
 layout(location = 2) in float along;
-uniform vec4 strand;
+uniform vec3 strand;
 out Point { vec4 shade; float pixels; } point;
 void main() {
   gl_Position = clipFromWorld * vec4(position, 1);
   float width = strand.x * mix(1.0, strand.z, along * along);
   point.pixels = width * eye.w / max(gl_Position.w, 1e-4);
-  float sunlit = sunPastMeshes(position + strand.w * towardsLight.xyz);
-  point.shade = vec4(linearFromSrgb(colour.rgb) * mix(colour.a, 1.0, sunlit), strand.y);
+  point.shade = vec4(linearFromSrgb(colour.rgb), strand.y * colour.a);
 }
 )",
           kFrame + R"(

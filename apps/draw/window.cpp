@@ -72,7 +72,8 @@ bool windowAvailable() {
 }
 
 Window::Window(const std::string& title, int width, int height) : state(std::make_unique<State>()) {
-  require(glfwInit(), "cannot open a window: ", glfwComplaint());
+  const bool started = glfwInit();
+  require(started, "cannot open a window: ", glfwComplaint());
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

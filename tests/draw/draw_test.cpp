@@ -1,0 +1,313 @@
+// What pictures must show, read back pixel by pixel.
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <apps/draw/gl_context.h>
+#include <apps/draw/renderer.h>
+#include <gtest/gtest.h>
+
+#include <libhair/core/error.h>
+
+using namespace hair;
+using namespace hair::draw;
+
+namespace {
+
+TriangleMesh sphere(glm::vec3 centre, float radius) {
+  constexpr unsigned kRound = 32, kDown = 16;
+  TriangleMesh mesh;
+  for (unsigned j = 0; j <= kDown; ++j) {
+    for (unsigned i = 0; i <= kRound; ++i) {
+      const float p = std::numbers::pi_v<float> * float(j) / kDown;
+      const float q = 2 * std::numbers::pi_v<float> * float(i) / kRound;
+      mesh.positions.push_back(centre + radius * glm::vec3(std::sin(p) * std::cos(q), std::cos(p),
+                                                           std::sin(p) * std::sin(q)));
+    }
+  }
+  for (unsigned j = 0; j < kDown; ++j) {
+    for (unsigned i = 0; i < kRound; ++i) {
+      const unsigned a = j * (kRound + 1) + i, b = a + kRound + 1;
+      mesh.triangles.push_back({a, a + 1, b + 1});
+      mesh.triangles.push_back({a, b + 1, b});
+    }
+  }
+  computeNormals(mesh);
+  return mesh;
+}
+
+/// Strands combed from the top of a sphere down its sides, standing off a little.
+StrandSet combed(glm::vec3 centre, float radius, int count) {
+  StrandSet strands;
+  std::vector<glm::vec3> points(16);
+  for (int s = 0; s < count; ++s) {
+    const float q = 2 * std::numbers::pi_v<float> * float(s) / float(count);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const float p = 0.1f + 1.8f * float(i) / 15;
+      points[i] = centre + (radius + 0.01f) * glm::vec3(std::sin(p) * std::cos(q), std::cos(p),
+                                                        std::sin(p) * std::sin(q));
+    }
+    strands.append(points);
+  }
+  return strands;
+}
+
+class Drawing : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    try {
+      context.emplace();
+    } catch (const Error& error) {
+      whyNot = error.what();
+    }
+  }
+  static void TearDownTestSuite() { context.reset(); }
+
+  void SetUp() override {
+    if (!context) GTEST_SKIP() << whyNot;
+    scene.camera.target = {0, 0.3f, 0};
+    scene.camera.distance = 1.5f;
+    scene.camera.pitch = 0.35f;
+    scene.light.direction = {0, -1, 0};
+    head = sphere({0, 0.3f, 0}, 0.1f);
+    hair = combed({0, 0.3f, 0}, 0.1f, 800);
+    red.assign(hair.pointCount(), packColour({0.9f, 0.1f, 0.1f, 1}));
+    dark.assign(hair.pointCount(), packColour({0.1f, 0.05f, 0.02f, 1}));
+  }
+
+  void addHead() {
+    MeshLayer layer;
+    layer.mesh = &head;
+    scene.meshes.push_back(layer);
+  }
+  HairLayer& addHair() {
+    HairLayer layer;
+    layer.strands = hair;
+    layer.colours = red;
+    layer.width = 1e-3f;
+    scene.hair.push_back(layer);
+    return scene.hair.back();
+  }
+  Picture drawn(int width = 320, int height = 240) {
+    Renderer renderer;
+    renderer.draw(scene, width, height);
+    return renderer.read();
+  }
+
+  static int brightness(const std::uint8_t* p) { return p[0] + p[1] + p[2]; }
+  static int redPixels(const Picture& picture) {
+    int count = 0;
+    for (int y = 0; y < picture.height; ++y) {
+      for (int x = 0; x < picture.width; ++x) {
+        const std::uint8_t* p = picture.pixel(x, y);
+        count += p[0] > 120 && p[1] < p[0] / 2 && p[2] < p[0] / 2;
+      }
+    }
+    return count;
+  }
+  /// Pixel under which a point of the world is drawn.
+  glm::ivec2 place(glm::vec3 world, int width, int height) const {
+    const Camera& c = scene.camera;
+    const glm::vec4 clip =
+        c.clipFromView(float(width) / float(height)) * c.viewFromWorld() * glm::vec4(world, 1);
+    return {int((clip.x / clip.w + 1) / 2 * float(width)),
+            int((1 - clip.y / clip.w) / 2 * float(height))};
+  }
+
+  static inline std::optional<OffscreenContext> context;
+  static inline std::string whyNot;
+  Scene scene;
+  TriangleMesh head;
+  StrandSet hair;
+  std::vector<std::uint32_t> red, dark;
+};
+
+TEST_F(Drawing, ShowsHairInItsOwnColourWhereItIs) {
+  addHead();
+  EXPECT_EQ(redPixels(drawn()), 0);
+  addHair();
+  const Picture lines = drawn();
+  EXPECT_GT(redPixels(lines), 500);
+  scene.hair[0].primitive = HairPrimitive::Ribbons;
+  const Picture ribbons = drawn();
+  EXPECT_NEAR(redPixels(ribbons), redPixels(lines), 0.25 * redPixels(lines));
+
+  scene.hair[0].width = 6e-3f, scene.hair[0].opacity = 1;
+  const Picture thick = drawn();
+  const glm::ivec2 top = place({0, 0.38f, 0.08f}, 320, 240);
+  const std::uint8_t* p = thick.pixel(top.x, top.y);
+  EXPECT_NEAR(p[0], 230, 1) << "opaque hair shows its sRGB bytes";
+  EXPECT_NEAR(p[1], 26, 1);
+}
+
+TEST_F(Drawing, ThinnerHairIsFainterNotGone) {
+  scene.ground.visible = false;
+  HairLayer& layer = addHair();
+  double before = 0;
+  const Picture empty = [&] {
+    Scene without = scene;
+    without.hair.clear();
+    Renderer renderer;
+    renderer.draw(without, 320, 240);
+    return renderer.read();
+  }();
+  for (float width : {2e-5f, 1e-4f, 4e-4f}) {
+    layer.width = width;
+    const Picture picture = drawn();
+    double change = 0;
+    for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
+      change += std::abs(int(picture.rgb[i]) - int(empty.rgb[i]));
+    }
+    EXPECT_GT(change, 1.5 * before) << "width " << width;
+    before = change;
+  }
+}
+
+TEST_F(Drawing, MeshesHideTheHairBehindThem) {
+  addHair();
+  addHead();
+  scene.meshes[0].worldFromMesh[3] = glm::vec4(0, 0.05f, 0.3f, 1);
+  scene.meshes[0].worldFromMesh[0][0] = scene.meshes[0].worldFromMesh[1][1] = 1.5f;
+  EXPECT_LT(redPixels(drawn()), 60);
+}
+
+TEST_F(Drawing, HeadAndHairDarkenTheFloorUnderThem) {
+  const glm::ivec2 under = place({0.05f, 0, 0}, 320, 240), beside = place({0.35f, 0, 0}, 320, 240);
+  const Picture bare = drawn();
+  const int lit = brightness(bare.pixel(under.x, under.y));
+  const int litBeside = brightness(bare.pixel(beside.x, beside.y));
+
+  addHair().shadowWidth = 2e-3f;
+  const Picture byHair = drawn();
+  EXPECT_LT(brightness(byHair.pixel(under.x, under.y)), 0.93 * lit);
+
+  scene.hair.clear();
+  addHead();
+  const Picture byHead = drawn();
+  EXPECT_LT(brightness(byHead.pixel(under.x, under.y)), 0.8 * lit);
+  EXPECT_NEAR(brightness(byHead.pixel(beside.x, beside.y)), litBeside, 12);
+}
+
+TEST_F(Drawing, HairBehindAMeshDoesNotShadowItsFront) {
+  addHead();
+  const glm::ivec2 top = place({0, 0.395f, 0.03f}, 320, 240);
+  const Picture bare = drawn();
+  StrandSet below = combed({0, 0.1f, 0}, 0.1f, 800);
+  std::swap(hair, below);
+  addHair();
+  scene.hair[0].width = 1e-5f;
+  scene.hair[0].shadowWidth = 1e-2f;
+  const Picture picture = drawn();
+  EXPECT_NEAR(brightness(picture.pixel(top.x, top.y)), brightness(bare.pixel(top.x, top.y)), 6);
+}
+
+TEST_F(Drawing, HalvesAreEqualWhereTheirColoursAre) {
+  addHead();
+  HairLayer& layer = addHair();
+  scene.sideBySide = true;
+  const auto difference = [](const Picture& p) {
+    const int half = p.width / 2;
+    int different = 0;
+    for (int y = 0; y < p.height; ++y) {
+      for (int x = 0; x < 3 * half; ++x) {
+        different += std::abs(p.pixel(0, y)[x] - p.pixel(p.width - half, y)[x]) > 2;
+      }
+    }
+    return different;
+  };
+  // Half a picture further right, a line may touch another sample here and there.
+  EXPECT_LE(difference(drawn()), 3 * 160 * 240 / 500);
+  layer.leftColours = dark;
+  const Picture picture = drawn();
+  EXPECT_GT(difference(picture), 3 * 160 * 240 / 50);
+  EXPECT_GT(redPixels(picture), 200) << "the right half keeps the colours";
+}
+
+TEST_F(Drawing, TheSameSceneGivesTheSameBytes) {
+  addHead();
+  addHair();
+  const Picture first = drawn();
+  EXPECT_EQ(first, drawn());
+  Renderer renderer;
+  renderer.draw(scene, 100, 60);
+  Scene empty;
+  renderer.draw(empty, 320, 240);
+  renderer.draw(scene, 320, 240);
+  EXPECT_EQ(first, renderer.read()) << "what was drawn before shows";
+}
+
+TEST_F(Drawing, TakesAnySizeAndReportsImpossibleOnes) {
+  addHead();
+  addHair();
+  Renderer renderer;
+  for (const glm::ivec2 size : {glm::ivec2(1, 1), {7, 300}, {641, 3}, {64, 64}}) {
+    for (bool sideBySide : {false, true}) {
+      scene.sideBySide = sideBySide;
+      renderer.draw(scene, size.x, size.y);
+      const Picture picture = renderer.read();
+      EXPECT_EQ(picture.width, size.x);
+      EXPECT_EQ(picture.height, size.y);
+      EXPECT_GT(brightness(picture.pixel(size.x / 2, size.y / 2)), 0);
+    }
+  }
+  EXPECT_THROW(renderer.draw(scene, 0, 10), Error);
+  EXPECT_THROW(renderer.draw(scene, 10, 100000), Error);
+}
+
+TEST_F(Drawing, ScenesThatCannotBeDrawnAreReported) {
+  addHair().colours = std::span(red).first(3);
+  EXPECT_THROW(drawn(), Error);
+  scene.hair.clear();
+  scene.light.direction = {0, 0, 0};
+  EXPECT_THROW(drawn(), Error);
+  scene.light.direction = {0, -1, 0};
+  addHead();
+  head.normals.pop_back();
+  EXPECT_THROW(drawn(), Error);
+}
+
+TEST_F(Drawing, MeshesStandInTheLightOfPointsBehindThem) {
+  addHead();
+  Renderer renderer;
+  const std::vector<glm::vec3> points = {{0, 0.6f, 0},    {0, 0.05f, 0},     {0.3f, 0.05f, 0},
+                                         {0, 0.4f, 0},    {0.05f, 0.25f, 0}, {0, 0.399f, 0},
+                                         {0.1f, 0.05f, 0}};
+  std::vector<float> lit(points.size(), -1.0f);
+  renderer.meshVisibility(scene, points, lit);
+  EXPECT_EQ(lit[0], 1) << "above the head";
+  EXPECT_EQ(lit[1], 0) << "under it";
+  EXPECT_EQ(lit[2], 1) << "beside its shadow";
+  EXPECT_EQ(lit[3], 1) << "a root on its top";
+  EXPECT_EQ(lit[4], 0) << "inside";
+  EXPECT_EQ(lit[5], 1) << "a root just under its top";
+  EXPECT_GT(lit[6], 0) << "at the shadow's edge";
+  EXPECT_LT(lit[6], 1) << "at the shadow's edge";
+  scene.meshes.clear();
+  renderer.meshVisibility(scene, points, lit);
+  for (float v : lit) EXPECT_EQ(v, 1);
+}
+
+TEST_F(Drawing, MeshesMayChangeBetweenPictures) {
+  addHead();
+  Renderer renderer;
+  renderer.draw(scene, 160, 120);
+  const Picture before = renderer.read();
+  for (glm::vec3& p : head.positions) p.x += 0.2f;
+  renderer.draw(scene, 160, 120);
+  EXPECT_FALSE(before == renderer.read());
+  for (glm::vec3& p : head.positions) p.x -= 0.2f;
+  head = sphere({0, 0.3f, 0}, 0.1f);
+  renderer.draw(scene, 160, 120);
+  EXPECT_EQ(before, renderer.read());
+}
+
+TEST_F(Drawing, DebugLinesShowThroughTheHead) {
+  addHead();
+  scene.debug.capsule({{0, 0.25f, 0}, {0, 0.35f, 0}, 0.05f}, packColour({1, 0, 0, 1}));
+  EXPECT_GT(redPixels(drawn()), 50);
+  scene.debug.onTop = false;
+  EXPECT_EQ(redPixels(drawn()), 0);
+}
+
+}  // namespace
