@@ -14,8 +14,8 @@ namespace hair::draw {
 
 /// Orders the segments of strands along the view, for blending. Hair is thinner than a pixel, so it
 /// is drawn half transparent, and only blending from back to front gives each strand its share of
-/// the pixel. Alternatives tried: depth writes without order (front strands drawn first hide the
-/// ones behind: a bright fringe), alpha to coverage (strands of one opacity cover the same samples
+/// the pixel. Not depth writes without order (front strands drawn first hide the
+/// ones behind: a bright fringe), nor alpha to coverage (strands of one opacity cover the same samples
 /// and never add up to opaque; noise).
 class HairOrder {
  public:
