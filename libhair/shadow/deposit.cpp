@@ -41,9 +41,10 @@ class CellWriter {
     }
   }
 
-  void extend(glm::ivec3 cell) {
-    lower_ = glm::min(lower_, cell);
-    upper_ = glm::max(upper_, cell);
+  /// All cells from one to the other may be written.
+  void extend(glm::ivec3 lower, glm::ivec3 upper) {
+    lower_ = glm::min(lower_, lower);
+    upper_ = glm::max(upper_, upper);
   }
 
   void add(glm::ivec3 cell, std::uint32_t count) {
@@ -152,7 +153,6 @@ void depositSegment(glm::vec3 a, glm::vec3 b, float amount, glm::ivec3& cell, fl
     cell[c] += way[c];
     // Whole numbers of cells decide where an axis ends, not sums of steps.
     next[c] = cell[c] == last[c] ? 2.0f : next[c] + step[c];
-    writer.extend(cell);
   }
   pending = amount * (1.0f - t);
 }
@@ -179,8 +179,6 @@ void spread(glm::vec3 u, std::uint32_t count, Writer& writer) {
       writer.add(c + glm::ivec3(x, 1, z), y1);
     }
   }
-  writer.extend(c);
-  writer.extend(c + 1);
 }
 
 /// What a segment adds per cell that it advances: across the light for optical depth (length times
@@ -197,11 +195,14 @@ struct SegmentScale {
 template <class Writer>
 void depositPoints(std::span<const glm::vec3> points, std::uint32_t count, const CellFrame& frame,
                    Writer& writer) {
+  if (points.empty()) return;
+  Bounds box;
   for (glm::vec3 p : points) {
-    const glm::ivec3 cell = floorToCell(frame.cellCoordinates(p));
-    writer.extend(cell);
-    writer.add(cell, count);
+    const glm::vec3 u = frame.cellCoordinates(p);
+    box.extend(u);
+    writer.add(floorToCell(u), count);
   }
+  writer.extend(floorToCell(box.lower), floorToCell(box.upper));
 }
 
 template <class Writer>
@@ -212,7 +213,8 @@ void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, floa
   glm::ivec3 cell = floorToCell(a);
   float pending = 0;
   Rounder rounder;
-  writer.extend(cell);
+  Bounds box;
+  box.extend(a);
   for (std::size_t p = 1; p < points.size(); ++p) {
     const glm::vec3 b = frame.cellCoordinates(points[p]);
     const glm::vec3 d = b - a;
@@ -222,13 +224,14 @@ void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, floa
       writer.add(cell, rounder.take(pending));
       pending = 0;
       cell = floorToCell(b);
-      writer.extend(cell);
     } else {
       depositSegment(a, b, scale.amount(d), cell, pending, rounder, writer);
     }
+    box.extend(b);
     a = b;
   }
   writer.add(cell, rounder.take(pending));
+  writer.extend(floorToCell(box.lower), floorToCell(box.upper));
 }
 
 template <class Writer>
@@ -237,6 +240,8 @@ void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, flo
   if (points.empty()) return;
   glm::vec3 a = frame.cellCoordinates(points[0]);
   Rounder rounder;
+  Bounds box;
+  box.extend(a);
   for (std::size_t p = 1; p < points.size(); ++p) {
     const glm::vec3 b = frame.cellCoordinates(points[p]);
     const glm::vec3 d = b - a;
@@ -247,8 +252,10 @@ void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, flo
     for (int s = 0; s < samples; ++s)
       spread(a + d * ((static_cast<float>(s) + 0.5f) * each), rounder.take(scale.amount(d) * each),
              writer);
+    box.extend(b);
     a = b;
   }
+  writer.extend(floorToCell(box.lower - 0.5f), floorToCell(box.upper + 0.5f));
 }
 
 /// Mean length of a segment, over at most 256 strands in a fixed order.
