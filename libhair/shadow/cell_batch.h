@@ -23,18 +23,30 @@ struct CellBatch {
     const std::size_t count = points.size();
     const glm::mat3 m = frame.cellFromWorld;
     const glm::vec3 anchor = frame.anchor, fraction = frame.fraction;
+    // Take the components apart first: the loop below then is whole vectors.
+    float dx[kSize], dy[kSize], dz[kSize];
     for (std::size_t l = 0; l < count; ++l) {
-      const float dx = p[l].x - anchor.x, dy = p[l].y - anchor.y, dz = p[l].z - anchor.z;
-      x[l] = clamp(fraction.x + (m[0].x * dx + m[1].x * dy + m[2].x * dz)) - shift.x;
-      y[l] = clamp(fraction.y + (m[0].y * dx + m[1].y * dy + m[2].y * dz)) - shift.y;
-      z[l] = clamp(fraction.z + (m[0].z * dx + m[1].z * dy + m[2].z * dz)) - shift.z;
-      i[l] = floorToInt(x[l]);
-      j[l] = floorToInt(y[l]);
-      k[l] = floorToInt(z[l]);
+      dx[l] = p[l].x - anchor.x;
+      dy[l] = p[l].y - anchor.y;
+      dz[l] = p[l].z - anchor.z;
     }
+    for (std::size_t l = 0; l < count; ++l) {
+      const float ux = fraction.x + (m[0].x * dx[l] + m[1].x * dy[l] + m[2].x * dz[l]);
+      const float uy = fraction.y + (m[0].y * dx[l] + m[1].y * dy[l] + m[2].y * dz[l]);
+      const float uz = fraction.z + (m[0].z * dx[l] + m[1].z * dy[l] + m[2].z * dz[l]);
+      x[l] = clamp(ux) - shift.x;
+      y[l] = clamp(uy) - shift.y;
+      z[l] = clamp(uz) - shift.z;
+    }
+    floorAll(x, i, count);
+    floorAll(y, j, count);
+    floorAll(z, k, count);
   }
 
  private:
+  static void floorAll(const float* u, int* whole, std::size_t count) {
+    for (std::size_t l = 0; l < count; ++l) whole[l] = floorToInt(u[l]);
+  }
   static float clamp(float u) {
     const float low = u > -1e9f ? u : -1e9f;
     return low < 1e9f ? low : 1e9f;
