@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include <glm/glm.hpp>
+
 namespace hair {
 
 /// Eight strands side by side: one float of each. GCC's and Clang's vector extension, which every
@@ -34,7 +36,7 @@ inline bool any(LaneMask m) {
 
 /// Eight vectors side by side.
 struct LaneVec3 {
-  Lanes x, y, z;
+  Lanes x{}, y{}, z{};
 };
 
 inline LaneVec3 operator+(LaneVec3 a, LaneVec3 b) {
@@ -49,8 +51,32 @@ inline LaneVec3 operator*(Lanes s, LaneVec3 a) {
 inline Lanes dot(LaneVec3 a, LaneVec3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+inline LaneVec3 cross(LaneVec3 a, LaneVec3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 inline Lanes length(LaneVec3 a) {
   return sqrt(dot(a, a));
+}
+/// The same vector in every lane.
+inline LaneVec3 broadcast(glm::vec3 v) {
+  return {lanes(v.x), lanes(v.y), lanes(v.z)};
+}
+inline glm::vec3 lane(const LaneVec3& v, std::size_t l) {
+  return {v.x[l], v.y[l], v.z[l]};
+}
+inline void setLane(LaneVec3& v, std::size_t l, glm::vec3 value) {
+  v.x[l] = value.x, v.y[l] = value.y, v.z[l] = value.z;
+}
+inline LaneVec3 rotate(const glm::mat3& m, LaneVec3 v) {
+  return {m[0].x * v.x + m[1].x * v.y + m[2].x * v.z, m[0].y * v.x + m[1].y * v.y + m[2].y * v.z,
+          m[0].z * v.x + m[1].z * v.y + m[2].z * v.z};
+}
+
+/// A vector v at a right angle to `from`, carried along as `from` turns into `to` (both unit) by
+/// the shortest rotation; see transport() in transform.h.
+inline LaneVec3 transportNormal(LaneVec3 v, LaneVec3 from, LaneVec3 to) {
+  const LaneVec3 h = from + to;
+  return v - (2.0f * dot(v, to) / max(dot(h, h), lanes(1e-12f))) * h;
 }
 inline LaneVec3 select(LaneMask m, LaneVec3 a, LaneVec3 b) {
   return {m ? a.x : b.x, m ? a.y : b.y, m ? a.z : b.z};

@@ -1,1 +1,135 @@
 #include <libhair/files/obj.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+
+#include <libhair/files/byte_reader.h>
+#include <libhair/files/text_reader.h>
+
+namespace hair {
+
+namespace {
+
+using Mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+using Corners = std::vector<Mesh::VertexHandle>;
+
+// OpenMesh reports complex edges on its error stream; here the caller gets them as numbers.
+// The stream is one for the whole program, so one thread silences it at a time.
+class SilentOpenMesh {
+ public:
+  SilentOpenMesh() : lock_(mutex()), was_(omerr().is_enabled()) { omerr().disable(); }
+  ~SilentOpenMesh() {
+    if (was_) omerr().enable();
+  }
+  SilentOpenMesh(const SilentOpenMesh&) = delete;
+  SilentOpenMesh& operator=(const SilentOpenMesh&) = delete;
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex m;
+    return m;
+  }
+  std::lock_guard<std::mutex> lock_;
+  bool was_;
+};
+
+// "7", "7/1", "7//3" or "-1": the vertex only; negative ones count back from the last so far.
+Mesh::VertexHandle vertexOf(const TextReader& in, std::string_view word, std::size_t vertexCount) {
+  const long long index = in.toInteger(word.substr(0, word.find('/')), "face");
+  const auto count = static_cast<long long>(vertexCount);
+  in.expect(index != 0 && index >= -count && index <= count, "face: vertex ", index,
+            " does not exist (", count, " vertices so far)");
+  return Mesh::VertexHandle(static_cast<int>(index > 0 ? index - 1 : count + index));
+}
+
+// A corner that follows itself makes an edge of no length, which tells nothing.
+void removeRepeats(Corners& corners) {
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+}
+
+// Adds a face that no edge of the mesh can take, on vertices of its own.
+void addSplit(Mesh& mesh, Corners& corners) {
+  for (Mesh::VertexHandle& v : corners) {
+    const Mesh::Point p = mesh.point(v);  // by value: add_vertex moves the points
+    v = mesh.add_vertex(p);
+  }
+  mesh.add_face(corners);
+}
+
+Mesh parse(TextReader& in, ObjReport& report) {
+  Mesh mesh;
+  std::vector<Corners> later;
+  Corners corners;
+  while (in.nextLine()) {
+    const std::string_view word = in.word();
+    if (word == "v") {
+      Mesh::Point p;
+      for (std::size_t c = 0; c < 3; ++c) {
+        p[c] = in.number("vertex");
+        in.expect(std::abs(p[c]) < 1e8f, "vertex: ", p[c], " is beyond 1e8 (check the scale)");
+      }
+      mesh.add_vertex(p);
+    } else if (word == "f") {
+      ++report.faces;
+      corners.clear();
+      while (!in.lineDone()) corners.push_back(vertexOf(in, in.word(), mesh.n_vertices()));
+      in.expect(corners.size() >= 3, "face: ", corners.size(), " corners, needs at least 3");
+      removeRepeats(corners);
+      if (corners.size() < 3)
+        ++report.dropped;
+      else
+        later.push_back(corners);
+    }
+  }
+  // Faces last: so vertices of split faces come after all of the file's own.
+  for (Corners& face : later) {
+    Corners sorted = face;
+    std::sort(sorted.begin(), sorted.end());
+    const bool simple = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    if (simple && mesh.add_face(face).is_valid()) continue;
+    ++report.split;
+    addSplit(mesh, face);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh parseObj(std::string_view bytes, std::string_view name, ObjReport* report) {
+  const SilentOpenMesh silent;
+  TextReader in(bytes, name);
+  ObjReport own;
+  ObjReport& r = report ? *report : own;
+  r = {};
+  Mesh mesh = parse(in, r);
+  in.expect(mesh.n_vertices() > 0, "the file ends without any vertex: this is no OBJ file");
+  in.expect(mesh.n_faces() > 0, "the file ends without any face");
+  mesh.triangulate();
+
+  TriangleMesh out;
+  out.positions.reserve(mesh.n_vertices());
+  for (const Mesh::VertexHandle v : mesh.vertices()) {
+    const Mesh::Point& p = mesh.point(v);
+    out.positions.emplace_back(p[0], p[1], p[2]);
+  }
+  out.triangles.reserve(mesh.n_faces());
+  for (const Mesh::FaceHandle f : mesh.faces()) {
+    glm::uvec3 triangle;
+    int k = 0;
+    for (auto v = mesh.cfv_ccwbegin(f); v.is_valid() && k < 3; ++v, ++k)
+      triangle[k] = static_cast<std::uint32_t>(v->idx());
+    out.triangles.push_back(triangle);
+  }
+  computeNormals(out);
+  return out;
+}
+
+TriangleMesh readObj(const std::filesystem::path& file, ObjReport* report) {
+  return parseObj(readWholeFile(file), file.string(), report);
+}
+
+}  // namespace hair

@@ -1,14 +1,28 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <string_view>
 
 #include <libhair/core/triangle_mesh.h>
 
 namespace hair {
 
+/// What became of the faces of an OBJ file.
+struct ObjReport {
+  std::size_t faces = 0;    ///< in the file
+  std::size_t split = 0;    ///< got vertices of their own: an edge of theirs has two faces already
+  std::size_t dropped = 0;  ///< fewer than three different corners
+};
+
 /// Reads the faces of an OBJ file, triangulated, with smooth normals (target hair::model).
+/// Vertex v of the file is positions[v]; vertices of split faces follow after them. Groups,
+/// materials, texture coordinates and the file's normals are left alone.
 /// Units and axes are taken as they stand: metres, +Y up; pass others through `convertUnits`.
-/// Throws Error (file, cause).
-TriangleMesh readObj(const std::filesystem::path& file);
+/// Throws Error (file, line, cause).
+TriangleMesh readObj(const std::filesystem::path& file, ObjReport* report = nullptr);
+
+/// The same from bytes in memory; `name` stands for the file in messages.
+TriangleMesh parseObj(std::string_view bytes, std::string_view name, ObjReport* report = nullptr);
 
 }  // namespace hair

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include <apps/draw/picture.h>
+
+namespace hair::draw {
+
+/// Writes PNG (sRGB) or EXR (linear half floats) by the file's extension. The file appears whole or
+/// not at all: it is written beside its place and renamed. Throws Error (file, cause).
+void writeImage(const Picture& picture, const std::filesystem::path& file);
+
+/// Reads any picture that OpenImageIO reads, as 8-bit RGB. Throws Error (file, cause).
+Picture readImage(const std::filesystem::path& file);
+
+/// Smaller by averaging in linear light. Throws Error when either side would grow or vanish.
+Picture downscaled(const Picture& picture, int width, int height);
+
+/// Pictures of one size in rows from left to right, `gap` pixels of dark grey around each.
+/// Throws Error when sizes differ, or none is given.
+Picture contactSheet(std::span<const Picture> pictures, int columns, int gap = 4);
+
+}  // namespace hair::draw

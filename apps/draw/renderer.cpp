@@ -1,0 +1,162 @@
+#include <apps/draw/renderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <apps/draw/frame_block.h>
+#include <apps/draw/hair_pass.h>
+#include <apps/draw/light_maps.h>
+#include <apps/draw/mesh_store.h>
+#include <apps/draw/shaders.h>
+#include <apps/draw/targets.h>
+#include <libhair/core/error.h>
+
+namespace hair::draw {
+namespace {
+
+gl::Program linked(const char* name, const shaders::Source& s) {
+  return gl::link(name, s.vertex, s.geometry, s.fragment);
+}
+
+void checkScene(const Scene& scene) {
+  const float length = glm::length(scene.light.direction);
+  require(length > 0 && std::isfinite(length),
+          "the light's direction has no length: give three numbers that are not all zero");
+  require(
+      scene.camera.distance > 0 && scene.camera.fieldOfView > 0 && scene.camera.fieldOfView < 3.14f,
+      "the camera's distance must be above 0 and its field of view in (0, pi); they are ",
+      scene.camera.distance, " and ", scene.camera.fieldOfView);
+}
+
+}  // namespace
+
+struct Renderer::State {
+  explicit State(const RenderSettings& s)
+      : settings(s), targets(s.samples), lightMaps(std::clamp(s.shadowMapSize, 64, 8192)) {}
+
+  RenderSettings settings;
+  Targets targets;
+  MeshStore meshes;
+  HairPass hair;
+  LightMaps lightMaps;
+  gl::Buffer frameBuffer, debugBuffer;
+  gl::VertexArray empty, debugArray;
+  gl::Program background = linked("background", shaders::background());
+  gl::Program ground = linked("ground", shaders::ground());
+  gl::Program debug = linked("debug", shaders::debug());
+
+  void drawView(const Scene& scene, FrameBlock frame, glm::ivec4 viewport, bool left);
+  void drawDebug(const DebugLayer& layer);
+};
+
+Renderer::Renderer(const RenderSettings& settings) : state(std::make_unique<State>(settings)) {}
+Renderer::~Renderer() = default;
+
+void Renderer::draw(const Scene& scene, int width, int height) {
+  checkScene(scene);
+  State& s = *state;
+  s.targets.resize(width, height);
+  s.meshes.update(scene);
+  s.hair.update(scene, s.settings.shadowHairSegments);
+
+  // ImGui and other guests leave their state behind.
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glDisable(GL_STENCIL_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glEnable(GL_MULTISAMPLE);
+  glBlendEquation(GL_FUNC_ADD);
+
+  FrameBlock maps{};
+  maps.towardsLight = glm::vec4(-glm::normalize(scene.light.direction), 0);
+  s.lightMaps.update(scene, s.meshes, s.hair, maps);
+
+  s.targets.bind();
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  const auto view = [&](glm::ivec4 viewport, bool left) {
+    FrameBlock frame = frameBlock(scene, glm::vec4(viewport));
+    frame.shadowFromWorld = maps.shadowFromWorld;
+    frame.towardsLight = maps.towardsLight;
+    frame.shadowTexel = maps.shadowTexel;
+    frame.floorMap = maps.floorMap;
+    s.drawView(scene, frame, viewport, left);
+  };
+  if (scene.sideBySide && width >= 2) {
+    const int half = width / 2;
+    view({0, 0, half, height}, true);
+    view({width - half, 0, half, height}, false);
+  } else {
+    view({0, 0, width, height}, false);
+  }
+  s.targets.resolve();
+  glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+void Renderer::State::drawView(const Scene& scene, FrameBlock frame, glm::ivec4 viewport,
+                               bool left) {
+  gl::upload<FrameBlock>(GL_UNIFORM_BUFFER, frameBuffer, {&frame, 1}, GL_STREAM_DRAW);
+  glBindBufferBase(GL_UNIFORM_BUFFER, gl::kFrameBinding, frameBuffer);
+  glViewport(viewport.x, viewport.y, viewport.z, viewport.w);
+  // Viewports do not clip lines at their edges; scissors do.
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(viewport.x, viewport.y, viewport.z, viewport.w);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+
+  glBindVertexArray(empty);
+  glUseProgram(background);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  if (scene.ground.visible) {
+    glUseProgram(ground);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  meshes.draw(scene);
+  hair.draw(scene, left);
+  drawDebug(scene.debug);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Renderer::State::drawDebug(const DebugLayer& layer) {
+  if (layer.lines.empty() && layer.points.empty()) return;
+  glUseProgram(debug);
+  glBindVertexArray(debugArray);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (layer.onTop) glDisable(GL_DEPTH_TEST);
+  glPointSize(layer.pointSize);
+  const auto draw = [&](GLenum primitive, const std::vector<DebugLayer::Vertex>& vertices) {
+    using Vertex = DebugLayer::Vertex;
+    gl::upload<Vertex>(GL_ARRAY_BUFFER, debugBuffer, vertices, GL_STREAM_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
+    glEnableVertexAttribArray(1);
+    glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Vertex),
+                          reinterpret_cast<const void*>(offsetof(Vertex, colour)));
+    glDrawArrays(primitive, 0, GLsizei(vertices.size()));
+  };
+  draw(GL_LINES, layer.lines);
+  draw(GL_POINTS, layer.points);
+  glEnable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+}
+
+void Renderer::read(Picture& picture) const {
+  state->targets.read(picture);
+}
+
+Picture Renderer::read() const {
+  Picture picture;
+  read(picture);
+  return picture;
+}
+
+void Renderer::present(int windowWidth, int windowHeight) const {
+  state->targets.present(windowWidth, windowHeight);
+}
+
+}  // namespace hair::draw

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <apps/draw/camera.h>
+#include <libhair/core/strands.h>
+#include <libhair/core/triangle_mesh.h>
+#include <libhair/motion/colliders.h>
+
+namespace hair::draw {
+
+/// How a strand is turned into pixels.
+enum class HairPrimitive {
+  Lines,   ///< one pixel wide; what is thinner than a pixel is drawn fainter
+  Ribbons  ///< facing the camera, as wide as the strand and at least a pixel, with soft edges
+};
+
+/// Strands to draw. All spans are read during `Renderer::draw` only.
+struct HairLayer {
+  StrandView strands;
+
+  /// [pointCount] shaded colour, the library's light and self-shadow already in it: bytes R, G, B,
+  /// A from the lowest, sRGB. A is the share of the colour that does not come from the directional
+  /// light (ambient / whole): what is left where a mesh stands in the light. 255 = never shadowed.
+  std::span<const std::uint32_t> colours;
+
+  /// [pointCount] or empty: the colours of the left half when `Scene::sideBySide` is set (say,
+  /// without self-shadow).
+  std::span<const std::uint32_t> leftColours;
+
+  float width = 1.5e-4f;   ///< of a strand, metres
+  float opacity = 0.8f;    ///< of a strand seen full on, (0, 1]
+  float tipWidth = 0.25f;  ///< width at the tip as a share of `width`, [0, 1]
+  HairPrimitive primitive = HairPrimitive::Lines;
+};
+
+/// A surface to draw and to cast shadows with. The mesh is read during `Renderer::draw`, and sent
+/// to the graphics card again only when its content has changed.
+struct MeshLayer {
+  const TriangleMesh* mesh = nullptr;
+  glm::mat4 worldFromMesh{1};
+  glm::vec3 colour{0.55f, 0.42f, 0.36f};  ///< albedo, linear, [0, 1]
+  float roughness = 0.55f;                ///< [0.05, 1]
+};
+
+/// Coloured lines and dots for what is usually hidden. Colours as in HairLayer, A = opacity.
+struct DebugLayer {
+  struct Vertex {
+    glm::vec3 position;
+    std::uint32_t colour;
+  };
+  std::vector<Vertex> lines;   ///< [2·lineCount]
+  std::vector<Vertex> points;  ///< [dotCount]
+  float pointSize = 3;         ///< pixels
+  bool onTop = true;           ///< through everything, or hidden by hair's and meshes' depth
+
+  void clear() { lines.clear(), points.clear(); }
+  void line(glm::vec3 a, glm::vec3 b, std::uint32_t colour);
+  void strands(StrandView strands, std::uint32_t colour);
+  void capsule(const Capsule& capsule, std::uint32_t colour);
+  void box(glm::vec3 centre, glm::vec3 size, std::uint32_t colour);
+};
+
+/// Bytes of a colour from components in [0, 1], as HairLayer::colours wants them.
+std::uint32_t packColour(glm::vec4 srgb);
+
+/// The sun of the scene, and the sky that fills its shadows.
+struct Light {
+  glm::vec3 direction{0.5f, -0.8f, 0.35f};  ///< the way light travels; any length > 0
+  glm::vec3 colour{1.0f, 0.96f, 0.90f};     ///< linear
+  float intensity = 2.6f;                   ///< of the directional light on meshes, >= 0
+  float ambient = 0.55f;                    ///< of the sky on meshes, >= 0
+};
+
+/// A floor that fades into the background at some distance.
+struct Ground {
+  bool visible = true;
+  float height = 0;                       ///< metres
+  float radius = 6;                       ///< where it has faded, metres from below the target
+  glm::vec3 colour{0.46f, 0.47f, 0.49f};  ///< albedo, linear
+};
+
+struct Background {
+  glm::vec3 middle{0.78f, 0.80f, 0.83f};  ///< sRGB, behind the subject
+  glm::vec3 edge{0.42f, 0.45f, 0.50f};    ///< sRGB, in the corners
+};
+
+/// Everything of one picture.
+struct Scene {
+  Camera camera;
+  Light light;
+  Ground ground;
+  Background background;
+  std::vector<HairLayer> hair;
+  std::vector<MeshLayer> meshes;
+  DebugLayer debug;
+  /// The picture in two halves, the left one with `HairLayer::leftColours`.
+  bool sideBySide = false;
+};
+
+}  // namespace hair::draw

@@ -1,0 +1,184 @@
+#include <apps/draw/window.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <epoxy/gl.h>
+// After the loader, which brings its own gl.h.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <libhair/core/error.h>
+
+namespace hair::draw {
+namespace {
+
+constexpr float kRadiansPerHeight = 4.0f;  // a drag over the window's whole height turns so far
+
+std::string glfwComplaint() {
+  const char* what = nullptr;
+  glfwGetError(&what);
+  return what ? what : "no reason given";
+}
+
+/// Turns the light as a drag would turn a ball that the camera looks at.
+void turnLight(Light& light, const Camera& camera, float rightBy, float upBy) {
+  const glm::mat3 worldFromView = glm::transpose(glm::mat3(camera.viewFromWorld()));
+  const glm::vec3 right = worldFromView[0], up = worldFromView[1];
+  // The light's own place (against its direction) follows the hand.
+  glm::vec3 place = -glm::normalize(light.direction);
+  place = glm::angleAxis(rightBy, up) * place;
+  place = glm::angleAxis(-upBy, right) * place;
+  light.direction = -glm::normalize(place);
+}
+
+}  // namespace
+
+struct Window::State {
+  GLFWwindow* window = nullptr;
+  int width = 1, height = 1;
+  double cursorX = 0, cursorY = 0, wheel = 0;
+  ImGuiContext* panel = nullptr;
+  WindowRequests requests;
+
+  ~State() {
+    if (panel) {
+      ImGui_ImplOpenGL3_Shutdown();
+      ImGui_ImplGlfw_Shutdown();
+      ImGui::DestroyContext(panel);
+    }
+    if (window) glfwDestroyWindow(window);
+    glfwTerminate();
+  }
+
+  void drag(Camera& camera, Light& light);
+};
+
+bool windowAvailable() {
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  // The GLFW of today's distributions opens windows through X, under Wayland too.
+  if (!set("DISPLAY") || !glfwInit()) return false;
+  glfwTerminate();
+  return true;
+}
+
+Window::Window(const std::string& title, int width, int height) : state(std::make_unique<State>()) {
+  require(glfwInit(), "cannot open a window: ", glfwComplaint());
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  // The renderer multisamples in a framebuffer of its own.
+  glfwWindowHint(GLFW_SAMPLES, 0);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  state->window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  require(state->window != nullptr, "cannot open a window with OpenGL 3.3: ", glfwComplaint());
+  glfwMakeContextCurrent(state->window);
+  glfwSwapInterval(1);
+  glfwSetWindowUserPointer(state->window, state.get());
+  // Before ImGui, whose back end passes events on to the callbacks it finds.
+  glfwSetScrollCallback(state->window, [](GLFWwindow* w, double, double by) {
+    static_cast<State*>(glfwGetWindowUserPointer(w))->wheel += by;
+  });
+  glfwSetKeyCallback(state->window, [](GLFWwindow* w, int key, int, int action, int) {
+    if (action == GLFW_RELEASE || (ImGui::GetCurrentContext() && ImGui::GetIO().WantTextInput))
+      return;
+    WindowRequests& r = static_cast<State*>(glfwGetWindowUserPointer(w))->requests;
+    if (key == GLFW_KEY_SPACE && action == GLFW_PRESS) r.pause = !r.pause;
+    if (key == GLFW_KEY_S) r.step = true;
+    if (key == GLFW_KEY_R && action == GLFW_PRESS) r.reset = true;
+  });
+
+  IMGUI_CHECKVERSION();
+  state->panel = ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // no file appears in the user's folder
+  float scale = 1;
+  glfwGetWindowContentScale(state->window, &scale, nullptr);
+  ImGui::StyleColorsDark();
+  ImGui::GetStyle().ScaleAllSizes(scale);
+  ImFontConfig font;
+  font.SizePixels = std::round(13 * scale);
+  io.Fonts->AddFontDefault(&font);
+  ImGui_ImplGlfw_InitForOpenGL(state->window, true);
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+  glfwGetFramebufferSize(state->window, &state->width, &state->height);
+}
+
+Window::~Window() = default;
+
+void Window::State::drag(Camera& camera, Light& light) {
+  double x = 0, y = 0;
+  glfwGetCursorPos(window, &x, &y);
+  int unitsWide = 1, unitsHigh = 1;
+  glfwGetWindowSize(window, &unitsWide, &unitsHigh);
+  const float dx = float((x - cursorX) / std::max(1, unitsHigh));
+  const float dy = float((cursorY - y) / std::max(1, unitsHigh));
+  cursorX = x, cursorY = y;
+  const double turns = wheel;
+  wheel = 0;
+  if (ImGui::GetIO().WantCaptureMouse) return;
+  const auto down = [&](int button) { return glfwGetMouseButton(window, button) == GLFW_PRESS; };
+  const bool shift = glfwGetKey(window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
+                     glfwGetKey(window, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+  const float turn = kRadiansPerHeight;
+  if (down(GLFW_MOUSE_BUTTON_RIGHT) || (shift && down(GLFW_MOUSE_BUTTON_LEFT))) {
+    turnLight(light, camera, turn * dx, turn * dy);
+  } else if (down(GLFW_MOUSE_BUTTON_MIDDLE)) {
+    camera.pan({-dx, -dy});
+  } else if (down(GLFW_MOUSE_BUTTON_LEFT)) {
+    camera.orbit(-turn * dx, -turn * dy);
+  }
+  if (turns != 0) camera.zoom(std::pow(0.9f, float(turns)));
+}
+
+bool Window::beginFrame(Camera& camera, Light& light) {
+  State& s = *state;
+  s.requests = {};
+  glfwPollEvents();
+  if (glfwWindowShouldClose(s.window)) return false;
+  int w = 0, h = 0;
+  glfwGetFramebufferSize(s.window, &w, &h);
+  s.width = std::max(1, w), s.height = std::max(1, h);
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+  s.drag(camera, light);
+  return true;
+}
+
+WindowRequests Window::requests() const {
+  return state->requests;
+}
+
+void Window::endFrame(const Renderer& renderer) {
+  ImGui::Render();
+  renderer.present(state->width, state->height);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, state->width, state->height);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(state->window);
+}
+
+int Window::width() const {
+  return state->width;
+}
+int Window::height() const {
+  return state->height;
+}
+
+void Window::close() {
+  glfwSetWindowShouldClose(state->window, GLFW_TRUE);
+}
+
+}  // namespace hair::draw

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <apps/draw/renderer.h>
+
+namespace hair::draw {
+
+/// What the keys asked for since the last frame.
+struct WindowRequests {
+  bool pause = false;  ///< space: pause or go on
+  bool step = false;   ///< S: one frame
+  bool reset = false;  ///< R: back to the start
+};
+
+/// A window with an OpenGL 3.3 core context, the mouse on camera and light, and Dear ImGui.
+///
+///   Window window("dance", 1280, 720);
+///   Renderer renderer;
+///   while (window.beginFrame(scene.camera, scene.light)) {
+///     ... ImGui::Begin ... ImGui::End ...
+///     renderer.draw(scene, window.width(), window.height());
+///     window.endFrame(renderer);
+///   }
+///
+/// Left drag orbits, middle drag pans, the wheel zooms, right drag (or shift and left drag) turns
+/// the light. What the panel takes, the scene does not get.
+class Window {
+ public:
+  /// Throws Error when there is no display or no OpenGL 3.3.
+  Window(const std::string& title, int width, int height);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Polls events, moves camera and light, opens an ImGui frame. False once the window is closed.
+  bool beginFrame(Camera& camera, Light& light);
+  WindowRequests requests() const;
+
+  /// Shows what the renderer drew last, the panel over it.
+  void endFrame(const Renderer& renderer);
+
+  /// The framebuffer in pixels (not the window in screen units); at least 1.
+  int width() const;
+  int height() const;
+
+  void close();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state;
+};
+
+/// Whether a window can be opened here (a display is there).
+bool windowAvailable();
+
+}  // namespace hair::draw

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace hair {
+
+/// Motion capture as a BVH file holds it: a tree of joints and one row of numbers a frame.
+///
+/// Units are the file's own, untouched: offsets and positions mostly centimetres, rotations
+/// degrees. Whoever makes transforms of them converts (motion/: 0.01 to metres).
+struct Bvh {
+  enum class Channel : std::uint8_t {
+    Xposition,
+    Yposition,
+    Zposition,
+    Xrotation,
+    Yrotation,
+    Zrotation,
+  };
+
+  struct Joint {
+    std::string name;                ///< for an end site: "<parent's name> end"
+    int parent = -1;                 ///< index of a joint before this one; -1: a root
+    glm::vec3 offset{0};             ///< from the parent, at rest
+    std::vector<Channel> channels;   ///< in the file's order, any count, none for an end site
+    std::uint32_t firstChannel = 0;  ///< where this joint's channels start in a row of values
+    bool endSite = false;            ///< tip of a bone without channels
+  };
+
+  std::vector<Joint> joints;     ///< [jointCount], parents before children, in the file's order
+  std::size_t channelCount = 0;  ///< of all joints together
+  double frameTime = 0;          ///< seconds
+  std::vector<float> values;     ///< [frameCount · channelCount], frame by frame
+
+  std::size_t frameCount() const { return channelCount == 0 ? 0 : values.size() / channelCount; }
+  std::span<const float> frame(std::size_t f) const {
+    return std::span(values).subspan(f * channelCount, channelCount);
+  }
+  /// Index of the joint of that name, -1 where there is none; `ignoreCase`: "head" finds "Head".
+  int find(std::string_view name, bool ignoreCase = false) const;
+};
+
+/// Reads a BVH file: any tree, any channels in any order, CR LF and LF mixed, tabs or spaces.
+/// Throws Error (file, line, cause).
+Bvh readBvh(const std::filesystem::path& file);
+
+/// The same from bytes in memory; `name` stands for the file in messages.
+Bvh parseBvh(std::string_view bytes, std::string_view name);
+
+}  // namespace hair

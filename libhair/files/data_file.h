@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include <libhair/core/strands.h>
+
+namespace hair {
+
+/// Reads a .data file (USC-HairSalon), in the file's own units and axes. Strands of no or one
+/// point and segments of no length are common there and are kept. Throws Error (file, byte,
+/// cause).
+StrandSet readData(const std::filesystem::path& file);
+
+/// The same from bytes in memory; `name` stands for the file in messages.
+StrandSet parseData(std::string_view bytes, std::string_view name);
+
+}  // namespace hair

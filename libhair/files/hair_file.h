@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <libhair/core/strands.h>
+
+namespace hair {
+
+/// What a .hair file holds (Cem Yuksel's format, "HAIR" files), in the file's own units and axes;
+/// strand_file.h converts. Optional arrays are empty where the file has none; its defaults hold
+/// then.
+struct HairFile {
+  StrandSet strands;
+  std::vector<float> thickness;     ///< [pointCount] or empty
+  std::vector<float> transparency;  ///< [pointCount] or empty; 0 opaque, 1 invisible
+  std::vector<glm::vec3> colours;   ///< [pointCount] or empty; linear RGB, 0 to 1
+  float defaultThickness = 1;
+  float defaultTransparency = 0;
+  glm::vec3 defaultColour{1};
+  std::string info;  ///< at most 88 bytes
+};
+
+/// Throws Error (file, byte, cause).
+HairFile readHair(const std::filesystem::path& file);
+
+/// The same from bytes in memory; `name` stands for the file in messages.
+HairFile parseHair(std::string_view bytes, std::string_view name);
+
+/// Writes the whole file or nothing. Strands of equal length take the header's default, others an
+/// array of segment counts. Every strand needs 1 to 65536 points, every optional array as many
+/// items as there are points. Throws Error.
+void writeHair(const std::filesystem::path& file, const HairFile& hair);
+
+/// The bytes that writeHair writes.
+std::string hairBytes(const HairFile& hair);
+
+}  // namespace hair

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <libhair/core/strands.h>
+
+namespace hair {
+
+/// Which axis of a file points up; the face looks along the axis named second. Each is a rotation
+/// (no mirroring) into the library's +Y up, +Z face.
+enum class UpAxis {
+  AsFile,  ///< the format's default: .hair Z, .tfx and .data Y
+  Y,       ///< +Y up, +Z face: nothing to do
+  Z,       ///< +Z up, +Y face (Yuksel's hair models): (x, y, z) -> (-x, z, y)
+  ZBack,   ///< +Z up, -Y face (Blender, 3ds Max):     (x, y, z) -> (x, z, -y)
+  X,       ///< +X up, +Z face:                        (x, y, z) -> (-y, x, z)
+  MinusY,  ///< -Y up, +Z face (turned over):          (x, y, z) -> (-x, -y, z)
+};
+
+/// `file`, `y`, `z`, `z-back`, `x`, `-y`, as `--up` takes them. Throws Error with the choices.
+UpAxis upAxisFromText(std::string_view text);
+std::string_view upAxisText(UpAxis up);
+
+/// Into metres and +Y up, +Z face: rotates, then scales, in place. `scale`: metres per unit.
+void convertUnits(std::span<glm::vec3> points, float scale, UpAxis up);
+/// The way back: into units of `scale` metres and axes `up`.
+void convertUnitsBack(std::span<glm::vec3> points, float scale, UpAxis up);
+
+struct ReadOptions {
+  float scale = 0;             ///< metres per unit of the file; 0: the format's default
+  UpAxis up = UpAxis::AsFile;  ///< the file's axes
+};
+
+/// Strands of any format, converted, and what was done to them.
+struct StrandFile {
+  StrandSet strands;                ///< metres, +Y up, +Z face; short strands are kept
+  std::string format = "hair";      ///< "hair", "tfx" or "data"
+  std::string arrays = "points";    ///< what the file holds: "points, colours"
+  float scale = 1;                  ///< metres per unit that was applied
+  UpAxis up = UpAxis::Y;            ///< axes that were assumed; never AsFile
+  std::vector<float> thickness;     ///< [pointCount] or empty; diameters, metres
+  std::vector<float> transparency;  ///< [pointCount] or empty; 0 opaque, 1 invisible
+  std::vector<glm::vec3> colours;   ///< [pointCount] or empty; linear RGB
+  float defaultThickness = 0;       ///< where there is no array, metres; 0: not stated
+  float defaultTransparency = 0;    ///< where there is no array
+  glm::vec3 defaultColour{0};       ///< where there is no array; black: not stated
+};
+
+/// Picks the format by the extension (.hair, .tfx, .data; any case), reads, converts into metres
+/// and +Y up. Defaults: .hair 0.00465 m a unit and Z up (Yuksel's models state no unit; this one
+/// gives their head a radius of 9.5 cm), or what the info text states if writeStrands wrote it;
+/// .tfx and .data metres and Y up. Throws Error (file, place, cause).
+StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& options = {});
+
+/// Writes .hair in metres, +Y up, and says so in the info text, which readStrands understands:
+/// reading it back gives the same bits. Throws Error.
+void writeStrands(const std::filesystem::path& file, StrandView strands);
+/// The same with all optional arrays and defaults.
+void writeStrands(const std::filesystem::path& file, const StrandFile& strands);
+
+/// Which strands have at least `minPoints` points and `minLength` metres.
+std::vector<std::uint32_t> soundStrands(StrandView strands, float minLength = 1e-3f,
+                                        std::size_t minPoints = 2);
+
+/// Removes all but the sound strands; returns how many went. Loaders keep what a file says;
+/// simulation and drawing want strands with a direction. Of a StrandFile the arrays follow.
+std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-3f, std::size_t minPoints = 2);
+std::size_t dropDegenerate(StrandFile& file, float minLength = 1e-3f, std::size_t minPoints = 2);
+
+}  // namespace hair

@@ -1,0 +1,110 @@
+#include <libhair/frame.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <libhair/core/error.h>
+#include <libhair/shadow/deposit.h>
+#include <libhair/shadow/filter.h>
+#include <libhair/shadow/transmittance.h>
+
+namespace hair {
+
+namespace {
+
+ColliderState collidersOf(const BodyState& body, const MeshSdf* head) {
+  return {body.worldFromHead, body.worldFromHead, body.capsules, body.capsules, head};
+}
+
+}  // namespace
+
+Hair::Hair(const Groom& groom_, const FrameSettings& settings, const BodyState& body,
+           const MeshSdf* head_, const WispSettings& wispSettings)
+    : groom(&groom_),
+      head(head_),
+      guides(groom_, settings.guides, body.worldFromHead, head_),
+      wisps(groom_, guides, wispSettings, head_),
+      capsules(body.capsules.begin(), body.capsules.end()) {
+  if (settings.selfCollision)
+    allowRestDensity(strands(), groom->fibre, guides, settings.repulsion, repulsion);
+}
+
+void frame(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
+           FrameProfile& profile) {
+  const auto guidePoints =
+      static_cast<std::int64_t>(hair.guides.guideCount() * hair.guides.pointsPerGuide());
+  const auto points = static_cast<std::int64_t>(hair.wisps.points.size());
+  {
+    const StageTimer timer(profile, Stage::Guides, guidePoints);
+    const std::span<const LaneVec3> push =
+        settings.selfCollision ? hair.repulsion.push : std::span<const LaneVec3>{};
+    stepGuides({body.worldFromHead, body.capsules, hair.capsules, hair.head, settings.wind,
+                hair.time, push},
+               settings.guides, seconds, hair.workspace, hair.guides);
+  }
+  {
+    const StageTimer timer(profile, Stage::Wisps, points);
+    interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
+  }
+  if (settings.selfCollision) {
+    const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
+    measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
+    repel(hair.guides, settings.repulsion, hair.repulsion);
+  }
+  hair.capsules.assign(body.capsules.begin(), body.capsules.end());
+  hair.time += seconds;
+  light(settings, hair, profile);
+}
+
+void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
+  const auto points = static_cast<std::int64_t>(hair.wisps.points.size());
+  hair.transmittance.resize(settings.shadow ? hair.wisps.points.size() : 0);
+  if (settings.shadow) {
+    {
+      const StageTimer timer(profile, Stage::Deposit, points);
+      clear(hair.map, settings.map, makeLightSpace(settings.light.direction));
+      deposit(hair.strands(), hair.groom->fibre, hair.map);
+    }
+    {
+      const auto cells = static_cast<std::int64_t>(settings.map.cells);
+      const StageTimer timer(profile, Stage::Transmittance, cells * cells * cells);
+      computeTransmittance(hair.map);
+    }
+    const StageTimer timer(profile, Stage::Filter, points);
+    sampleTransmittance(hair.map, hair.wisps.points, hair.transmittance);
+  }
+  hair.colours.resize(settings.shade ? hair.wisps.points.size() : 0);
+  if (settings.shade) {
+    const StageTimer timer(profile, Stage::Shade, points);
+    shadeKajiyaKay(hair.strands(), hair.transmittance, {}, settings.light, settings.look,
+                   hair.colours);
+  }
+}
+
+void restart(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair) {
+  FrameProfile unused{};
+  FrameSettings still = settings;
+  still.wind = {};
+  still.shadow = still.shade = false;
+  still.guides.airDrag = std::max(still.guides.airDrag, 20.0f);
+  hair.guides.reset(body.worldFromHead);
+  hair.time = 0;
+  std::fill(hair.repulsion.push.begin(), hair.repulsion.push.end(), LaneVec3{});
+  std::vector<Capsule> grown(body.capsules.begin(), body.capsules.end());
+  const int frames = std::max(1, static_cast<int>(std::ceil(seconds * 60)));
+  const auto sizeTo = [&](int i) {
+    const float share = static_cast<float>(i) / static_cast<float>(frames);
+    for (std::size_t c = 0; c < grown.size(); ++c)
+      grown[c].radius = share * body.capsules[c].radius;
+  };
+  sizeTo(0);
+  hair.capsules = grown;
+  for (int i = 1; i <= frames; ++i) {
+    sizeTo(i);
+    frame({body.worldFromHead, grown}, still, 1.0f / 60, hair, unused);
+  }
+  std::fill(hair.guides.velocity.begin(), hair.guides.velocity.end(), LaneVec3{});
+  hair.time = 0;
+}
+
+}  // namespace hair

@@ -1,0 +1,103 @@
+#include <libhair/guides/guide_strands.h>
+
+#include <algorithm>
+#include <array>
+
+#include <libhair/core/error.h>
+#include <libhair/model/mesh_sdf.h>
+
+namespace hair {
+
+glm::vec3 rootNormalOf(glm::vec3 rootDirection) {
+  return anyNormal(rootDirection);
+}
+
+void validate(const GuideSettings& s) {
+  const auto field = [](bool good, const char* name, auto value, const char* range) {
+    require(good, "guide settings: ", name, " = ", value, " is not in ", range);
+  };
+  field(s.linearDensity > 0 && s.linearDensity < 1, "linearDensity", s.linearDensity,
+        "(0, 1) kg/m");
+  field(s.bendingStiffness > 0 && s.bendingStiffness < 1, "bendingStiffness", s.bendingStiffness,
+        "(0, 1) N m^2");
+  field(s.tipStiffness > 0 && s.tipStiffness <= 1, "tipStiffness", s.tipStiffness, "(0, 1]");
+  field(s.airDrag >= 0 && s.airDrag < 1e4f, "airDrag", s.airDrag, "[0, 1e4) 1/s");
+  field(s.friction >= 0 && s.friction <= 10, "friction", s.friction, "[0, 10]");
+  field(s.skin >= 0 && s.skin < 0.1f, "skin", s.skin, "[0, 0.1) m");
+  field(s.substep >= 1e-5f && s.substep <= 0.1f, "substep", s.substep, "[1e-5, 0.1] s");
+  field(s.iterations >= 1 && s.iterations <= 32, "iterations", s.iterations, "[1, 32]");
+  field(glm::length(s.gravity) < 1000, "gravity", glm::length(s.gravity), "[0, 1000) m/s^2");
+}
+
+GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
+                           const RigidTransform& worldFromHead_, const MeshSdf* head)
+    : guideCount_(groom.guideCount()), points_(groom.pointsPerGuide) {
+  validate(settings);
+  require(guideCount_ > 0, "groom: no guides");
+  require(points_ >= 3 && points_ <= kMaxGuidePoints, "groom: ", points_,
+          " points a guide is not in 3 to ", kMaxGuidePoints);
+  const std::size_t groups = groupCount(), n = points_, links = n - 1;
+  position.resize(groups * n);
+  velocity.resize(groups * n);
+  restPosition.resize(groups * n);
+  clearance.resize(groups * n);
+  pointMass.resize(groups * n);
+  rootTangent.resize(groups);
+  rootNormal.resize(groups);
+  tension.resize(groups * links);
+  restTension.resize(groups * links);
+  linkLength.resize(groups * links);
+  curvature.resize(groups * links);
+  jointStiffness.resize(groups * links);
+  for (std::size_t slot = 0; slot < groups * kLanes; ++slot) {
+    const std::size_t guide = std::min(slot, guideCount_ - 1), group = slot / kLanes,
+                      l = slot % kLanes;
+    const auto points = groom.guide(guide);
+    const glm::vec3 first = points[1] - points[0];
+    const glm::vec3 direction = glm::length(first) > 0 ? glm::normalize(first) : glm::vec3(0, 1, 0);
+    const RestShape rest = makeRestShape(points, rootNormalOf(direction), settings, guide);
+    setLane(rootTangent[group], l, direction);
+    setLane(rootNormal[group], l, rootNormalOf(direction));
+    for (std::size_t i = 0; i < n; ++i) {
+      setLane(restPosition[group * n + i], l, points[i]);
+      clearance[group * n + i][l] =
+          head ? std::min(settings.skin, head->distance(points[i])) : settings.skin;
+      pointMass[group * n + i][l] = rest.mass[i];
+    }
+    for (std::size_t i = 0; i < links; ++i) {
+      linkLength[group * links + i][l] = rest.linkLength[i];
+      restTension[group * links + i][l] = rest.tension[i];
+      setLane(curvature[group * links + i], l, rest.curvature[i]);
+      jointStiffness[group * links + i][l] = rest.stiffness[i];
+    }
+  }
+  reset(worldFromHead_);
+}
+
+void GuideStrands::reset(const RigidTransform& to) {
+  worldFromHead = to;
+  for (std::size_t k = 0; k < position.size(); ++k) {
+    for (std::size_t l = 0; l < kLanes; ++l)
+      setLane(position[k], l, to.point(lane(restPosition[k], l)));
+    velocity[k] = LaneVec3{};
+  }
+  tension = restTension;
+}
+
+glm::vec3 GuideStrands::point(std::size_t guide, std::uint32_t i) const {
+  return lane(position[guide / kLanes * points_ + i], guide % kLanes);
+}
+
+void GuideStrands::copyPoints(std::span<glm::vec3> out) const {
+  require(out.size() == guideCount_ * points_, "copyPoints: output has ", out.size(),
+          " points, needs ", guideCount_ * points_);
+  for (std::size_t g = 0; g < guideCount_; ++g)
+    for (std::uint32_t i = 0; i < points_; ++i) out[g * points_ + i] = point(g, i);
+}
+
+void GuideStrands::addTo(StateHash& hash) const {
+  hash.add(std::span<const LaneVec3>(position));
+  hash.add(std::span<const LaneVec3>(velocity));
+}
+
+}  // namespace hair

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <libhair/core/lanes.h>
+#include <libhair/core/state_hash.h>
+#include <libhair/core/transform.h>
+#include <libhair/guides/rest_shape.h>
+#include <libhair/guides/settings.h>
+#include <libhair/model/groom.h>
+
+namespace hair {
+
+class MeshSdf;
+
+/// Guide strands as rigid links: state and rest shape.
+///
+/// Eight strands lie side by side ("a group"), so that every pass works on eight at once; element
+/// [group · points + i] holds point i of guides 8·group .. 8·group + 7:
+///
+///                lane 0    lane 1   ...  lane 7
+///     point 0    guide 0   guide 1       guide 7     } group 0, read from root to tip
+///     point 1    guide 0   guide 1       guide 7     }
+///     ...
+///     point 0    guide 8   guide 9       guide 15    } group 1
+///
+/// Lanes beyond the last guide repeat it. Link i joins points i and i + 1.
+///
+/// Shape. With d_i the direction of link i and d_-1 that of the root, bending has the energy
+///     E = sum_i kappa_i / 2 · |d_i - d_(i-1) - c_i|²,    kappa_i = stiffness / length of the
+///     joint,
+/// where the rest curvature c_i is fixed in the frame of link i - 1, and frames are carried along
+/// the chain from the root by parallel transport. c_i holds the torque that gravity asks for at
+/// rest (computed from tip to root), so the groom is an equilibrium.
+class GuideStrands {
+ public:
+  /// At rest in the groom, on a head at `worldFromHead`. `head` (may be null) is the collider of
+  /// the head in head space: points groomed closer to it than the skin may stay as close.
+  /// Throws Error: fewer than 3 or more than kMaxGuidePoints points, a link without length.
+  GuideStrands(const Groom& groom, const GuideSettings& settings,
+               const RigidTransform& worldFromHead = {}, const MeshSdf* head = nullptr);
+
+  std::size_t guideCount() const { return guideCount_; }
+  std::size_t groupCount() const { return (guideCount_ + kLanes - 1) / kLanes; }
+  std::uint32_t pointsPerGuide() const { return points_; }
+  std::uint32_t linksPerGuide() const { return points_ - 1; }
+
+  /// Back to the groom at rest on a head at `worldFromHead`, without speed.
+  void reset(const RigidTransform& worldFromHead);
+  /// World position of one point.
+  glm::vec3 point(std::size_t guide, std::uint32_t i) const;
+  /// All points, strand after strand: [guideCount · pointsPerGuide].
+  void copyPoints(std::span<glm::vec3> out) const;
+  /// Positions and velocities, bit for bit.
+  void addTo(StateHash& hash) const;
+
+  // State; [groupCount · pointsPerGuide], tension [groupCount · linksPerGuide].
+  std::vector<LaneVec3> position;  ///< metres, world
+  std::vector<LaneVec3> velocity;  ///< m/s
+  std::vector<Lanes> tension;      ///< of the last substep, per linear density (m²/s²)
+  RigidTransform worldFromHead;    ///< where the roots are now
+
+  // Rest shape, head space.
+  std::vector<LaneVec3> restPosition;  ///< [groupCount · pointsPerGuide]
+  std::vector<LaneVec3> rootTangent;   ///< [groupCount], unit
+  std::vector<LaneVec3> rootNormal;    ///< [groupCount], unit, at a right angle to the tangent
+  std::vector<Lanes> linkLength;       ///< [groupCount · linksPerGuide]
+  std::vector<Lanes> restTension;      ///< [groupCount · linksPerGuide]
+  std::vector<LaneVec3>
+      curvature;  ///< [groupCount · linksPerGuide], c_i in the frame of link i - 1
+  std::vector<Lanes> jointStiffness;  ///< [groupCount · linksPerGuide], kappa_i per linear density
+  std::vector<Lanes> pointMass;  ///< [groupCount · pointsPerGuide], per linear density (metres)
+  std::vector<Lanes> clearance;  ///< [groupCount · pointsPerGuide], least distance to the head
+
+ private:
+  std::size_t guideCount_;
+  std::uint32_t points_;
+};
+
+/// Normal of the frame at a strand's root: any, but a fixed function of the root direction.
+glm::vec3 rootNormalOf(glm::vec3 rootDirection);
+
+}  // namespace hair

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include <glm/glm.hpp>
+
+#include <libhair/guides/settings.h>
+
+namespace hair {
+
+/// Longest guide that the solver's scratch (on the stack, in the first-level cache) holds.
+inline constexpr std::uint32_t kMaxGuidePoints = 64;
+
+/// What one guide needs to stay where it was groomed; per linear density, so lengths stand for
+/// masses. Symbols as in GuideStrands.
+struct RestShape {
+  std::array<float, kMaxGuidePoints> linkLength{}, stiffness{}, mass{}, tension{};
+  std::array<glm::vec3, kMaxGuidePoints> curvature{};  ///< c_i, (normal, binormal, tangent)
+};
+
+/// Rest lengths, masses, joint stiffness and rest curvatures of a guide with these points (head
+/// space, root first) under gravity. A groom that its stiffness could not hold up (a long soft
+/// strand standing on end buckles) is made as stiff as it takes, with a margin.
+/// Throws Error for a link without length; `guide` names it.
+RestShape makeRestShape(std::span<const glm::vec3> points, glm::vec3 rootNormal,
+                        const GuideSettings& settings, std::size_t guide);
+
+}  // namespace hair

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace hair {
+
+/// How guide strands move. The defaults are a human hair's, stiffened near the root as a groomed
+/// wisp is; `{}` gives the paper's hairstyle at interactive rate.
+struct GuideSettings {
+  float linearDensity = 6.5e-6f;    ///< kg/m; of one hair, 80 µm thick
+  float bendingStiffness = 4e-8f;   ///< N·m² (E·I) at the root; one bare hair: about 1e-8
+  float tipStiffness = 0.25f;       ///< fraction of it left at the tip, (0, 1]; linear between
+  float airDrag = 2.0f;             ///< 1/s; speed relative to the air decays at this rate
+  float friction = 0.3f;            ///< Coulomb's coefficient against colliders, >= 0
+  float skin = 2e-3f;               ///< metres that guide points keep from colliders, >= 0
+  glm::vec3 gravity{0, -9.81f, 0};  ///< m/s²
+  float substep = 1.0f / 480.0f;  ///< seconds; a frame is cut into equal steps no longer than this
+  int iterations = 3;             ///< Newton iterations of the link constraints a substep, 1 to 32
+};
+
+/// Throws Error that names the field and its range.
+void validate(const GuideSettings& settings);
+
+}  // namespace hair

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <libhair/core/transform.h>
+#include <libhair/guides/bending.h>
+#include <libhair/guides/guide_strands.h>
+#include <libhair/motion/colliders.h>
+#include <libhair/motion/wind.h>
+
+namespace hair {
+
+/// What carries and pushes the guides over one frame. Roots and colliders are interpolated inside
+/// the frame, from where the guides were left to what stands here.
+struct GuideMotion {
+  RigidTransform worldFromHead{};             ///< at the end of the frame
+  std::span<const Capsule> capsules{};        ///< body at the end of the frame
+  std::span<const Capsule> capsulesBefore{};  ///< at its start; same count and order
+  const MeshSdf* head = nullptr;              ///< collider in head space; null: none
+  Wind wind{};
+  double time = 0;                   ///< at the start of the frame, seconds; moves the gusts
+  std::span<const LaneVec3> push{};  ///< m/s² on every point, laid out as GuideStrands; or empty
+};
+
+/// What stepGuides needs beside its inputs; kept by the caller, grown once.
+struct GuideWorkspace {
+  BendingFactors bending;
+  std::vector<RigidTransform> heads;  ///< [substeps + 1]
+  std::vector<Capsule> capsules;      ///< [(substeps + 1) · capsuleCount]
+};
+
+/// Moves the guides over one frame of `seconds`. Each substep of length h:
+///   1. predict: velocity with drag, gravity, push, and the tension of the substep before;
+///   2. bend: implicit Euler on the bending energy (bending.h), one solve;
+///   3. contact: the nearest collider's plane for each point, with friction (contact.h);
+///   4. links: Newton iterations, all links of a strand at once (links.h), then exact lengths;
+///   5. velocity = movement / h.
+/// Predicting with the last tension makes a groom at rest a fixed point of every substep, and is a
+/// good start for Newton otherwise.
+/// Throws Error: seconds not in (0, 1], capsule counts that differ.
+void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,
+                GuideWorkspace& workspace, GuideStrands& guides);
+
+}  // namespace hair

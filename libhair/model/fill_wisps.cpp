@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <libhair/core/parallel.h>
+#include <libhair/core/random.h>
+#include <libhair/model/comb.h>
+#include <libhair/model/fill_wisps.h>
+#include <libhair/model/guide_curve.h>
+
+namespace hair {
+namespace {
+
+constexpr float kTurn = 2 * std::numbers::pi_v<float>;
+
+enum Use : std::uint32_t {
+  HasTip = 0x400,
+  HasWhole,
+  DeviationAngle,
+  DeviationSize,
+  DeviationPhase,
+  CurlPhase,
+  CurlSize,
+  CurlPitch,
+  StrandPhase,
+};
+
+// Barycentric coordinates of p's projection onto a triangle, drawn back to the triangle and a
+// little beyond: far outside it, guides that part a little would throw a strand far away.
+glm::vec3 wispWeights(glm::vec3 p, const std::array<glm::vec3, 3>& t) {
+  const glm::vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
+  const float d00 = glm::dot(ab, ab), d01 = glm::dot(ab, ac), d11 = glm::dot(ac, ac);
+  const float d20 = glm::dot(ap, ab), d21 = glm::dot(ap, ac);
+  const float det = d00 * d11 - d01 * d01;
+  if (det < 1e-3f * d00 * d11 || det <= 0) return glm::vec3(1.0f / 3);
+  glm::vec3 w(0, (d11 * d20 - d01 * d21) / det, (d00 * d21 - d01 * d20) / det);
+  w.x = 1 - w.y - w.z;
+  const float least = std::min({w.x, w.y, w.z});
+  constexpr float kLowest = -0.15f;
+  if (least < kLowest)
+    w = glm::mix(glm::vec3(1.0f / 3), w, (1.0f / 3 - kLowest) / (1.0f / 3 - least));
+  return w / (w.x + w.y + w.z);
+}
+
+// What sets one strand apart from its wisp, in the frame of its main guide, at share u of its
+// length; `along` is metres from the root.
+glm::vec3 deviation(const StyleSettings& settings, std::uint32_t strand, float u) {
+  const auto random = [&](Use use) { return uniform(strand, use, settings.seed); };
+  const float angle = kTurn * random(DeviationAngle);
+  const glm::vec3 side(std::cos(angle), std::sin(angle), 0);
+  glm::vec3 d(0);
+  if (random(HasTip) < settings.tipShare) {
+    const float tip = std::max(u - 0.6f, 0.0f) / 0.4f;
+    d += settings.tipDeviation * (0.3f + 0.7f * random(DeviationSize)) * tip * tip * side;
+  }
+  if (random(HasWhole) < settings.wholeShare) {
+    const float wave =
+        std::sin(kTurn * (random(DeviationPhase) + 1.3f * u)) * glm::smoothstep(0.1f, 0.6f, u);
+    d += settings.wholeDeviation * (0.4f + 0.6f * random(DeviationSize)) *
+         (wave * side + 0.8f * u * glm::vec3(-side.y, side.x, 0));
+  }
+  return d;
+}
+
+// A lock's helix around its guide, widening from nothing at the root.
+glm::vec3 curl(const StyleSettings& settings, std::uint32_t lock, std::uint32_t strand,
+               float along) {
+  const auto ofLock = [&](Use use) { return 2 * uniform(lock, use, settings.seed) - 1; };
+  const float pitch = settings.curlPitch * (1 + 0.2f * ofLock(CurlPitch));
+  const float radius =
+      settings.curlRadius * (1 + 0.3f * ofLock(CurlSize)) * glm::smoothstep(0.005f, 0.06f, along);
+  const float jitter = settings.curlJitter * (2 * uniform(strand, StrandPhase, settings.seed) - 1);
+  const float angle = kTurn * (along / pitch + ofLock(CurlPhase)) + jitter;
+  return radius * glm::vec3(std::cos(angle), std::sin(angle), 0);
+}
+
+}  // namespace
+
+void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
+               std::span<const glm::vec3> roots, std::span<const std::uint32_t> wisps,
+               Groom& groom) {
+  const std::size_t strands = roots.size(), n = settings.points, g = groom.pointsPerGuide;
+  groom.first.resize(strands + 1);
+  for (std::size_t s = 0; s <= strands; ++s) groom.first[s] = static_cast<std::uint32_t>(s * n);
+  groom.parents.resize(strands);
+  groom.weights.resize(strands);
+  groom.offsets.resize(strands * n);
+
+  // What strands share: places along the curve, frames and lengths of the guides.
+  std::vector<CurvePlace> places(n);
+  for (std::size_t k = 0; k < n; ++k) places[k] = curvePlace(k, n, g);
+  std::vector<glm::mat3> frames(groom.guidePoints.size());
+  std::vector<float> guideLength(groom.guideCount());
+  for (std::size_t i = 0; i < groom.guideCount(); ++i) {
+    const auto points = groom.guide(i);
+    guideFrames(points, restRootNormal(points), std::span(frames).subspan(i * g, g));
+    guideLength[i] = arcLength(points);
+  }
+
+  parallelFor(strands, 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      const auto strand = static_cast<std::uint32_t>(s);
+      glm::uvec3 parents = glm::uvec3(0, 1, 2) + 3 * wisps[s];
+      glm::vec3 w = wispWeights(roots[s], {groom.guide(parents.x)[0], groom.guide(parents.y)[0],
+                                           groom.guide(parents.z)[0]});
+      // The main guide is the one of most weight.
+      if (w.y > w.x) std::swap(w.x, w.y), std::swap(parents.x, parents.y);
+      if (w.z > w.x) std::swap(w.x, w.z), std::swap(parents.x, parents.z);
+      groom.parents[s] = parents;
+      groom.weights[s] = w;
+
+      const auto mainFrames = std::span(frames).subspan(parents.x * g, g);
+      const auto blend = [&](CurvePlace at) {
+        return w.x * curvePoint(groom.guide(parents.x), at) +
+               w.y * curvePoint(groom.guide(parents.y), at) +
+               w.z * curvePoint(groom.guide(parents.z), at);
+      };
+      const glm::vec3 rootOffset = glm::transpose(mainFrames[0]) * (roots[s] - blend(places[0]));
+      for (std::size_t k = 0; k < n; ++k) {
+        const float u = static_cast<float>(k) / static_cast<float>(n - 1);
+        const float clumped = std::min(u / settings.clumpBy, 1.0f);
+        const float clump = settings.clump * clumped * std::sqrt(clumped);
+        const glm::mat3 frame = curveFrame(mainFrames, places[k]);
+        const glm::vec3 base = blend(places[k]);
+        const glm::vec3 main = curvePoint(groom.guide(parents.x), places[k]);
+        glm::vec3 local = glm::mix(1.0f, settings.spread, clumped) * rootOffset;
+        local += deviation(settings, strand, u);
+        if (settings.curlRadius > 0)
+          local += curl(settings, parents.x, strand, u * guideLength[parents.x]);
+        glm::vec3 p = glm::mix(base, main, clump) + frame * local;
+        if (k > 0) {
+          const float along = u * guideLength[parents.x];
+          p = outOfFace(p);
+          const glm::vec4 d = headSdf.distanceAndGradient(p);
+          const float clearance = std::min(0.0015f, 0.3f * along);
+          if (d.w < clearance) p += (clearance - d.w) * glm::vec3(d);
+        }
+        groom.offsets[groom.first[s] + k] = glm::inverse(frame) * (p - base);
+      }
+    }
+  });
+}
+
+void drawAtRest(const Groom& groom, std::size_t strand, std::span<glm::vec3> points) {
+  const glm::uvec3 parents = groom.parents[strand];
+  const glm::vec3 w = groom.weights[strand];
+  std::vector<glm::mat3> frames(groom.pointsPerGuide);
+  const auto main = groom.guide(parents.x);
+  guideFrames(main, restRootNormal(main), frames);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const CurvePlace at = curvePlace(k, points.size(), groom.pointsPerGuide);
+    points[k] = w.x * curvePoint(main, at) + w.y * curvePoint(groom.guide(parents.y), at) +
+                w.z * curvePoint(groom.guide(parents.z), at);
+    if (!groom.offsets.empty())
+      points[k] += curveFrame(frames, at) * groom.offsets[groom.first[strand] + k];
+  }
+}
+
+}  // namespace hair

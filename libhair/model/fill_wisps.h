@@ -1,0 +1,19 @@
+#pragma once
+
+#include <libhair/model/styles.h>
+
+namespace hair {
+
+/// Hangs a drawn strand on each root: weights from where the root lies among its wisp's three
+/// guides (3·wisp .. 3·wisp + 2 of groom.guidePoints), and offsets for what weights cannot say:
+/// the root's exact place, clumping, curls, deviations, and keeping out of the head and the face.
+/// Fills first, parents, weights and offsets of the groom.
+void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
+               std::span<const glm::vec3> roots,      // [strandCount]
+               std::span<const std::uint32_t> wisps,  // [strandCount]
+               Groom& groom);
+
+/// Strand s of a groom at rest, as Groom's formula has it: the obvious way, one strand at a time.
+void drawAtRest(const Groom& groom, std::size_t strand, std::span<glm::vec3> points);
+
+}  // namespace hair

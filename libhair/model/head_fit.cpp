@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <libhair/core/error.h>
+#include <libhair/core/strands.h>
+#include <libhair/model/head_fit.h>
+#include <libhair/model/mesh_sdf.h>
+
+namespace hair {
+namespace {
+
+constexpr std::size_t kFewestRoots = 16;
+
+// Solves the n by n system (n <= 6) by Gaussian elimination with pivots; false if singular.
+template <std::size_t n>
+bool solve(std::array<std::array<double, n + 1>, n>& m, std::array<double, n>& x) {
+  for (std::size_t c = 0; c < n; ++c) {
+    std::size_t pivot = c;
+    for (std::size_t r = c + 1; r < n; ++r)
+      if (std::abs(m[r][c]) > std::abs(m[pivot][c])) pivot = r;
+    if (!(std::abs(m[pivot][c]) > 1e-30)) return false;
+    std::swap(m[c], m[pivot]);
+    for (std::size_t r = 0; r < n; ++r) {
+      if (r == c) continue;
+      const double f = m[r][c] / m[c][c];
+      for (std::size_t k = c; k <= n; ++k) m[r][k] -= f * m[c][k];
+    }
+  }
+  for (std::size_t c = 0; c < n; ++c) x[c] = m[c][n] / m[c][c];
+  return true;
+}
+
+struct Sphere {
+  glm::vec3 centre;
+  float radius;
+};
+
+// Sphere through points, linear least squares: |p|^2 = 2 c.p + k, about their mean.
+Sphere fitSphere(std::span<const glm::vec3> points) {
+  glm::dvec3 mean(0);
+  for (glm::vec3 p : points) mean += glm::dvec3(p);
+  mean /= static_cast<double>(points.size());
+  std::array<std::array<double, 5>, 4> m{};
+  for (glm::vec3 point : points) {
+    const glm::dvec3 p = glm::dvec3(point) - mean;
+    const std::array<double, 5> row = {p.x, p.y, p.z, 1, glm::dot(p, p)};
+    for (std::size_t r = 0; r < 4; ++r)
+      for (std::size_t c = 0; c < 5; ++c) m[r][c] += row[r] * row[c];
+  }
+  std::array<double, 4> x{};
+  require(solve<4>(m, x), "head: hair roots lie in a plane, which says nothing of the skull");
+  const glm::dvec3 centre = 0.5 * glm::dvec3(x[0], x[1], x[2]);
+  return {glm::vec3(mean + centre),
+          static_cast<float>(std::sqrt(std::max(x[3] + glm::dot(centre, centre), 0.0)))};
+}
+
+// What the built-in head's scalp gives for the same measure.
+Sphere builtinScalp(const Head& head) {
+  std::vector<glm::vec3> scalp;
+  for (glm::vec3 p : head.mesh.positions)
+    if (scalpMask(p) > 0.5f) scalp.push_back(p);
+  return fitSphere(scalp);
+}
+
+}  // namespace
+
+RigidTransform placeHead(const TriangleMesh& mesh, std::span<const glm::vec3> hairRoots) {
+  require(!mesh.positions.empty(), "head: the mesh has no vertices");
+  const Head head = builtinHead();
+  if (hairRoots.size() >= kFewestRoots)
+    return {{1, 0, 0, 0}, builtinScalp(head).centre - fitSphere(hairRoots).centre};
+  // The middle of the crown's box, on both heads.
+  const auto crown = [](std::span<const glm::vec3> points) {
+    const float top = bounds(points).upper.y;
+    Bounds box;
+    for (glm::vec3 p : points)
+      if (p.y > top - 0.08f) box.extend(p);
+    return glm::vec3(box.centre().x, top, box.centre().z);
+  };
+  return {{1, 0, 0, 0}, crown(head.mesh.positions) - crown(mesh.positions)};
+}
+
+HeadFit fitHeadToRoots(std::span<const glm::vec3> hairRoots) {
+  require(hairRoots.size() >= kFewestRoots, "head: ", hairRoots.size(),
+          " hair roots are too few to fit a head to; bring a head (--head)");
+  HeadFit fit;
+  fit.head = builtinHead();
+  const MeshSdf sdf(fit.head.mesh, 0.005f, 0.05f);
+  const Sphere scalp = builtinScalp(fit.head), roots = fitSphere(hairRoots);
+
+  // Gauss-Newton on the distances of the roots to the head, with the roots moved and scaled onto
+  // it: q = scale * (p - roots.centre) + scalp.centre + shift. Six unknowns, from the spheres.
+  glm::dvec3 scale(scalp.radius / std::max(roots.radius, 1e-4f)), shift(0);
+  scale = glm::clamp(scale, 1 / 1.7, 1 / 0.6);
+  const std::size_t stride = std::max<std::size_t>(1, hairRoots.size() / 4096);
+  const auto onHead = [&](glm::vec3 p) {
+    return glm::vec3(scale * glm::dvec3(p - roots.centre) + glm::dvec3(scalp.centre) + shift);
+  };
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    std::array<std::array<double, 7>, 6> m{};
+    for (std::size_t i = 0; i < hairRoots.size(); i += stride) {
+      const glm::vec4 d = sdf.distanceAndGradient(onHead(hairRoots[i]));
+      const glm::dvec3 n(d), arm = n * glm::dvec3(hairRoots[i] - roots.centre);
+      // Far roots (a stray, a beard) count for less.
+      const double weight = 1 / (1 + std::pow(d.w / 0.01, 2));
+      const std::array<double, 7> row = {n.x, n.y, n.z, arm.x, arm.y, arm.z, -d.w};
+      for (std::size_t r = 0; r < 6; ++r)
+        for (std::size_t c = 0; c < 7; ++c) m[r][c] += weight * row[r] * row[c];
+    }
+    // A little stiffness, so that what the roots do not say stays as it is.
+    for (std::size_t r = 0; r < 6; ++r) m[r][r] *= 1.0001;
+    std::array<double, 6> x{};
+    if (!solve<6>(m, x)) break;
+    shift += glm::dvec3(x[0], x[1], x[2]);
+    scale = glm::clamp(scale + glm::dvec3(x[3], x[4], x[5]), 1 / 1.7, 1 / 0.6);
+  }
+
+  // The hair keeps its size: it is the head that is scaled, about its origin.
+  const glm::vec3 bigger(1.0 / scale);
+  for (std::size_t v = 0; v < fit.head.mesh.positions.size(); ++v) {
+    fit.head.mesh.positions[v] *= bigger;
+    fit.head.mesh.normals[v] = glm::normalize(fit.head.mesh.normals[v] / bigger);
+  }
+  fit.headFromHair.translation = bigger * (scalp.centre + glm::vec3(shift)) - roots.centre;
+  double sum = 0;
+  for (glm::vec3 p : hairRoots) sum += std::abs(sdf.distance(onHead(p)));
+  fit.residual = static_cast<float>(sum / static_cast<double>(hairRoots.size())) *
+                 (bigger.x + bigger.y + bigger.z) / 3;
+  require(fit.residual < 0.03f, "head: hair roots are ", 1e3f * fit.residual,
+          " mm from any head on average; check the unit (--scale) and the axes (--up)");
+  return fit;
+}
+
+}  // namespace hair

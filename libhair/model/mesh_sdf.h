@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include <libhair/core/strands.h>
+#include <libhair/core/triangle_mesh.h>
+
+namespace hair {
+
+/// Signed distance to a triangle mesh on a regular grid: negative inside.
+///
+/// Any mesh will do. Vertices at one position are taken as one; every hole is closed by a fan to
+/// its middle (so the bottom of a bust is a lid); inside is where at least two of the three grid
+/// lines through a node wind around it, so small faults of a mesh do not spread. Distances are
+/// exact at nodes within two cells of the surface, and between nodes within about 5 % of a cell
+/// where the surface is smooth; far away within about a cell.
+class MeshSdf {
+ public:
+  /// `cell` and `margin` (how far the grid reaches beyond the mesh) in metres, > 0.
+  /// Throws Error for an empty mesh, or if the grid would have more than 2^27 nodes.
+  MeshSdf(const TriangleMesh& mesh, float cell, float margin);
+
+  /// Metres. Outside the grid: a lower bound of the distance, never less than `margin`.
+  float distance(glm::vec3 p) const { return distanceAndGradient(p).w; }
+
+  /// xyz = unit outward direction, w = distance as above.
+  glm::vec4 distanceAndGradient(glm::vec3 p) const;
+
+  /// What the grid covers, metres.
+  const Bounds& box() const { return box_; }
+
+ private:
+  Bounds box_;
+  float cell_, margin_;
+  glm::ivec3 nodes_;  ///< an axis
+  /// [nodes_.x · nodes_.y · nodes_.z], x fastest: gradient (central differences), distance.
+  std::vector<glm::vec4> values_;
+};
+
+}  // namespace hair

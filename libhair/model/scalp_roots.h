@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <libhair/model/mesh_sdf.h>
+
+namespace hair {
+
+/// Where hair parts: a line over the top of the built-in head, from the front hairline back to
+/// the whorl, from which hair falls to all sides. Metres, head space.
+struct Parting {
+  float x = 0.016f;       ///< right or left of the nose
+  float whorlZ = -0.03f;  ///< where the line ends
+};
+
+/// Horizontal unit vector that points away from the parting at p; (±1, 0, 0) beside its line.
+glm::vec3 awayFromParting(const Parting& parting, glm::vec3 p);
+
+/// `count` roots spread evenly over the scalp of the built-in head, whose distance field is
+/// `headSdf`: a Fibonacci lattice of directions from the middle of the skull, jittered,
+/// and a little denser at the crown.
+std::vector<glm::vec3> scalpRoots(const MeshSdf& headSdf, std::uint32_t count, std::uint32_t seed);
+
+/// The point of the scalp where the ray from the middle of the skull through p leaves the head.
+glm::vec3 onScalp(const MeshSdf& headSdf, glm::vec3 p);
+
+/// Roots grouped by wisp. No wisp has roots on both sides of the parting.
+struct WispCells {
+  std::vector<glm::vec3> centres;   ///< [wispCount], on the scalp
+  std::vector<std::uint32_t> wisp;  ///< [rootCount]
+};
+
+/// Cells of about equal size: Lloyd's iteration, then each root goes to the nearest centre.
+WispCells wispCells(const MeshSdf& headSdf, std::span<const glm::vec3> roots,
+                    std::uint32_t wispCount, const Parting& parting, std::uint32_t seed);
+
+}  // namespace hair

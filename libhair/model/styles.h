@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+
+#include <libhair/model/groom.h>
+#include <libhair/model/head.h>
+#include <libhair/model/mesh_sdf.h>
+#include <libhair/model/scalp_roots.h>
+
+namespace hair {
+
+enum class Style {
+  Smooth,  ///< brown hair to the shoulders (Bertails et al. 2005, figures 1 and 9)
+  Curly,   ///< the same wisps, wound into locks
+  Long,    ///< smooth, to the waist
+};
+
+/// How a hairstyle is grown on the built-in head. Lengths in metres. `styleSettings` gives the
+/// values of each style; the defaults here are those of Style::Smooth.
+struct StyleSettings {
+  std::uint32_t strands = 3350;       ///< drawn, >= wisps
+  std::uint32_t points = 31;          ///< a drawn strand, >= 2
+  std::uint32_t wisps = 134;          ///< of three guides each, >= 1
+  std::uint32_t pointsPerGuide = 16;  ///< >= 3
+  std::uint32_t seed = 1;
+  float hairs = 100'000;  ///< that the drawn strands stand for together
+
+  // The cut: a guide ends at the cut height, or at the greatest length.
+  float cutHeightFront = -0.095f;  ///< beside the face, head space
+  float cutHeightBack = -0.16f;
+  float minLength = 0.16f;
+  float maxLength = 0.38f;
+  float lengthVariation = 0.04f;  ///< share of the length, from wisp to wisp
+
+  // How it lies.
+  Parting parting;
+  float partingJitter = 0;    ///< how far from it wisps still fall to either side
+  float partAtShoulders = 0;  ///< 0: hair lies on them, 1: it falls before or behind them
+  float volume = 0.016f;      ///< how far the uppermost hair lies from the head
+  float rootLift = 0.3f;      ///< 0: hair leaves the scalp flat, 1: at 45 degrees
+  float waviness = 0.35f;     ///< radians that wisps swing from side to side
+  float turnIn = 0.5f;        ///< how much the tips turn to the neck, 0 to 1
+
+  // How drawn strands fill a wisp.
+  float clump = 0.65f;      ///< how far they come together, 0 to 1
+  float clumpBy = 1;        ///< by which share of the length they have
+  float spread = 0.75f;     ///< what is left of a root's place in its wisp at the tip, 0 to 1
+  float curlRadius = 0;     ///< 0: no curls
+  float curlPitch = 0.03f;  ///< along the guide, a turn
+  float curlJitter = 0.5f;  ///< radians of phase between strands of one lock
+
+  // Random deviations (course, "Random Variations"): of the tips of many, of the whole of few.
+  float tipShare = 0.3f;
+  float tipDeviation = 0.008f;
+  float wholeShare = 0.1f;
+  float wholeDeviation = 0.006f;
+};
+
+StyleSettings styleSettings(Style style);
+
+/// Grows a hairstyle on the built-in head, whose distance field is `headSdf` (cells of 4 mm do).
+/// At rest every guide point but the root is at least kGuideClearance outside of the head, the
+/// links of a guide are equal to 1e-4, and drawn strands stay outside of the head and off the
+/// face. The same settings give the same bits for any number of threads. Throws Error for
+/// settings out of range.
+Groom makeGroom(const StyleSettings& settings, const MeshSdf& headSdf);
+
+inline constexpr float kGuideClearance = 0.002f;
+
+}  // namespace hair

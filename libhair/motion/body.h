@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <libhair/core/transform.h>
+#include <libhair/motion/skeleton.h>
+
+namespace hair {
+
+/// Which joint is which part of a human body; -1: not found. Sides: 0 left, 1 right.
+struct BodyMap {
+  int hips = -1, chest = -1, neck = -1, head = -1;
+  std::vector<int> spine;  ///< from below the hips' child up to the chest, chest included
+  std::array<int, 2> collar{-1, -1}, upperArm{-1, -1}, foreArm{-1, -1}, hand{-1, -1};
+  std::array<int, 2> thigh{-1, -1}, shin{-1, -1}, foot{-1, -1};
+
+  /// All that a torso, two arms and two legs need.
+  bool complete() const;
+};
+
+/// A capsule that moves with joints: `a` is fixed in the frame of jointA, `b` in that of jointB.
+struct BodyCapsule {
+  int jointA, jointB;
+  glm::vec3 a, b;  ///< in the joints' frames, metres
+  float radius;    ///< metres
+};
+
+/// Who moves: a skeleton, what its joints mean, and where its flesh is.
+///
+/// *Body space*: metres, +Y up, +Z where the body faces, +X to its left, origin between the feet.
+/// *Rest stance*: upright, legs straight down, arms straight out to the sides (a T).
+struct Body {
+  Skeleton skeleton;
+  BodyMap map;
+  /// [jointCount], bodyFromJoint in the rest stance, whatever the skeleton's own zero pose is.
+  std::vector<RigidTransform> rest;
+  /// Constant turn from head space (see Groom: +Y up, +Z face) to the frame of joint map.head.
+  RigidTransform jointFromHead;
+  float size = 1.0f;                  ///< against a person of 1.68 m
+  std::vector<BodyCapsule> capsules;  ///< see body_colliders.h
+  std::vector<std::string> notes;     ///< what had to be guessed, for the user
+};
+
+/// Joints by name, case-insensitive, in the common conventions (LeftArm, lShldr, L_Arm, arm.L ...):
+/// hands, feet and head by name, the rest by what hangs on what.
+BodyMap mapBody(const Skeleton& skeleton);
+
+/// Learns the body from a clip: where the zero pose of the skeleton is no T, which way each joint
+/// faces is the average over the clip. Throws Error where there is no joint that may be a head.
+Body makeBody(const Clip& clip);
+
+}  // namespace hair

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <libhair/motion/body.h>
+#include <libhair/motion/colliders.h>
+
+namespace hair {
+
+/// Capsules around the bones, with a person's proportions scaled by the skeleton's size: neck,
+/// trapezius, shoulders, chest, waist, hips, arms, hands, legs, feet; no head (it has its own
+/// signed distance field). A skeleton that is not understood gets one capsule a bone, and a note.
+void fitCapsules(Body& body);
+
+/// The capsules of a pose, in the order of body.capsules; `out` is [body.capsules.size()].
+void placeCapsules(const Body& body, std::span<const RigidTransform> worldFromJoint,
+                   std::span<Capsule> out);
+
+}  // namespace hair

@@ -1,0 +1,61 @@
+#include <libhair/motion/motion.h>
+
+#include <cmath>
+#include <utility>
+
+#include <libhair/core/error.h>
+#include <libhair/motion/body_colliders.h>
+#include <libhair/motion/dance.h>
+#include <libhair/motion/head_motion.h>
+
+namespace hair {
+namespace {
+
+/// Nothing to repair: made here, not recorded.
+MotionSettings asAuthored() {
+  MotionSettings settings;
+  settings.dropLeadIn = settings.removeFlips = false;
+  return settings;
+}
+
+}  // namespace
+
+Motion::Motion(Clip clip, const MotionSettings& settings) {
+  require(clip.frameCount() > 0, "motion: the clip has no frames");
+  const std::size_t last = settings.lastFrame == 0 ? clip.frameCount() : settings.lastFrame;
+  droppedFrames_ = settings.firstFrame;
+  if (settings.firstFrame == 0 && settings.dropLeadIn) droppedFrames_ = leadInFrames(clip);
+  require(droppedFrames_ < last && last <= clip.frameCount(), "motion: frames ", droppedFrames_,
+          " to ", last, " of a clip of ", clip.frameCount(), " frames; set firstFrame, lastFrame");
+  clip_ = droppedFrames_ == 0 && last == clip.frameCount() ? std::move(clip)
+                                                           : trim(clip, droppedFrames_, last);
+  if (settings.removeFlips) flips_ = hair::removeFlips(clip_, settings.flips);
+  body_ = makeBody(clip_);
+}
+
+Motion Motion::dance() {
+  Motion motion(danceClip(), asAuthored());
+  motion.loop_ = true;
+  return motion;
+}
+
+Motion Motion::still() {
+  return Motion(stillClip(), asAuthored());
+}
+
+BodyPose Motion::pose(double seconds) const {
+  BodyPose out;
+  pose(seconds, out);
+  return out;
+}
+
+void Motion::pose(double seconds, BodyPose& out) const {
+  if (loop_ && duration() > 0) seconds -= std::floor(seconds / duration()) * duration();
+  out.worldFromJoint.resize(clip_.skeleton.jointCount());
+  out.capsules.resize(body_.capsules.size());
+  poseAtTime(clip_, seconds, out.worldFromJoint);
+  out.worldFromHead = worldFromHead(body_, out.worldFromJoint);
+  placeCapsules(body_, out.worldFromJoint, out.capsules);
+}
+
+}  // namespace hair

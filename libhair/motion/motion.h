@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <libhair/motion/body.h>
+#include <libhair/motion/clip_filter.h>
+#include <libhair/motion/colliders.h>
+#include <libhair/motion/skeleton.h>
+
+namespace hair {
+
+/// What a frame needs to know of who moves.
+struct BodyPose {
+  RigidTransform worldFromHead;                ///< head space: see Groom
+  std::vector<Capsule> capsules;               ///< same count and order at every time
+  std::vector<RigidTransform> worldFromJoint;  ///< [jointCount], to draw the body
+};
+
+struct MotionSettings {
+  bool dropLeadIn = true;      ///< drop a calibration pose at the start (leadInFrames)
+  std::size_t firstFrame = 0;  ///< of the clip as it comes; > 0 instead of dropLeadIn
+  std::size_t lastFrame = 0;   ///< one past the last; 0: to the end
+  bool removeFlips = true;
+  FlipSettings flips;
+};
+
+/// A body that moves: a recorded clip, the built-in dance, or nobody moving at all.
+class Motion {
+ public:
+  explicit Motion(Clip clip, const MotionSettings& settings = {});
+  static Motion dance();
+  static Motion still();
+
+  /// Seconds; 0: never moves. Later times hold the last pose, negative ones the first; a loop
+  /// (isLoop) goes round instead.
+  double duration() const { return clip_.duration(); }
+  bool isLoop() const { return loop_; }
+
+  BodyPose pose(double seconds) const;
+  /// No allocation where `out` comes from an earlier call.
+  void pose(double seconds, BodyPose& out) const;
+
+  const Body& body() const { return body_; }
+  const Clip& clip() const { return clip_; }
+  std::size_t droppedFrames() const { return droppedFrames_; }
+  const std::vector<Flip>& flips() const { return flips_; }  ///< frames of clip()
+
+ private:
+  Clip clip_;
+  Body body_;
+  std::vector<Flip> flips_;
+  std::size_t droppedFrames_ = 0;
+  bool loop_ = false;
+};
+
+}  // namespace hair

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace hair {
+
+/// Angle of the shortest turn between two rotations, degrees.
+inline float degreesBetween(const glm::quat& a, const glm::quat& b) {
+  // From the chord: the arc cosine of a dot product near 1 has no digits left.
+  const glm::quat d = glm::dot(a, b) < 0 ? a + b : a - b;
+  return glm::degrees(4.0f * std::asin(std::min(0.5f * glm::length(d), 1.0f)));
+}
+
+/// The rotation whose images of +X, +Y, +Z are lateral, up, front: up is kept, front made normal to
+/// it. Neither needs to be a unit vector; they must not be parallel.
+inline glm::quat rotationFromUpFront(glm::vec3 up, glm::vec3 front) {
+  up = glm::normalize(up);
+  const glm::vec3 lateral = glm::normalize(glm::cross(up, front));
+  return glm::normalize(glm::quat_cast(glm::mat3(lateral, up, glm::cross(lateral, up))));
+}
+
+}  // namespace hair

@@ -1,0 +1,189 @@
+#include <libhair/motion/skeleton.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <libhair/core/error.h>
+#include <libhair/files/bvh_file.h>
+#include <libhair/motion/rotations.h>
+
+namespace hair {
+namespace {
+
+using Channel = Bvh::Channel;
+
+bool isPosition(Channel c) {
+  return c <= Channel::Zposition;
+}
+
+int axisOf(Channel c) {
+  return static_cast<int>(c) -
+         static_cast<int>(isPosition(c) ? Channel::Xposition : Channel::Xrotation);
+}
+
+void chain(const Skeleton& skeleton, std::span<RigidTransform> worldFromJoint) {
+  for (std::size_t j = 0; j < skeleton.jointCount(); ++j) {
+    const int parent = skeleton.parents[j];
+    if (parent >= 0)
+      worldFromJoint[j] = worldFromJoint[static_cast<std::size_t>(parent)] * worldFromJoint[j];
+  }
+}
+
+/// One joint between frames, in its parent.
+RigidTransform localAt(const Clip& clip, std::size_t joint, std::size_t frame, float t) {
+  const std::size_t joints = clip.skeleton.jointCount();
+  const std::size_t i = frame * joints + joint;
+  if (t == 0.0f) return {clip.rotations[i], clip.positions[i]};
+  const std::size_t last = clip.frameCount() - 1;
+  const glm::vec3 p1 = clip.positions[i];
+  const glm::vec3 p2 = clip.positions[i + joints];
+  const glm::vec3 p0 = frame > 0 ? clip.positions[i - joints] : 2.0f * p1 - p2;
+  const glm::vec3 p3 = frame + 2 <= last ? clip.positions[i + 2 * joints] : 2.0f * p2 - p1;
+  const glm::vec3 position = p1 + 0.5f * t *
+                                      ((p2 - p0) + t * ((2.0f * p0 - 5.0f * p1 + 4.0f * p2 - p3) +
+                                                        t * (3.0f * (p1 - p2) + p3 - p0)));
+  return {glm::normalize(glm::slerp(clip.rotations[i], clip.rotations[i + joints], t)), position};
+}
+
+struct FrameTime {
+  std::size_t frame;
+  float t;  ///< [0, 1) towards the next frame; 0 on the last
+};
+
+FrameTime frameTimeAt(const Clip& clip, double seconds) {
+  const std::size_t last = clip.frameCount() - 1;
+  const double f = std::clamp(seconds / clip.frameTime, 0.0, static_cast<double>(last));
+  // A time that is meant to be a frame's own must give that frame, whatever rounding did to it.
+  const double nearest = std::round(f);
+  if (std::abs(f - nearest) < 1e-6) return {static_cast<std::size_t>(nearest), 0.0f};
+  const double whole = std::floor(f);
+  return {static_cast<std::size_t>(whole), static_cast<float>(f - whole)};
+}
+
+}  // namespace
+
+Clip clipFromBvh(const Bvh& bvh, float scale) {
+  require(scale > 0 && std::isfinite(scale), "clip: scale ", scale, " is no length; metres a unit");
+  require(!bvh.joints.empty(), "clip: the skeleton has no joints");
+  require(bvh.frameCount() > 0, "clip: there are no frames");
+  require(bvh.frameTime > 0, "clip: frame time ", bvh.frameTime, " s, must be above 0");
+
+  Clip clip;
+  clip.frameTime = bvh.frameTime;
+  Skeleton& skeleton = clip.skeleton;
+  std::vector<int> jointOf(bvh.joints.size(), -1);  // end sites are tips of joints here
+  std::vector<std::size_t> source;
+  for (std::size_t b = 0; b < bvh.joints.size(); ++b) {
+    const Bvh::Joint& joint = bvh.joints[b];
+    const int parent = joint.parent < 0 ? -1 : jointOf[static_cast<std::size_t>(joint.parent)];
+    if (joint.endSite) {
+      if (parent >= 0) skeleton.tips[static_cast<std::size_t>(parent)] = scale * joint.offset;
+      continue;
+    }
+    jointOf[b] = static_cast<int>(skeleton.jointCount());
+    source.push_back(b);
+    skeleton.names.push_back(joint.name);
+    skeleton.parents.push_back(parent);
+    skeleton.offsets.push_back(scale * joint.offset);
+    skeleton.tips.push_back(glm::vec3(0));
+  }
+
+  clip.rotations.reserve(bvh.frameCount() * source.size());
+  clip.positions.reserve(bvh.frameCount() * source.size());
+  for (std::size_t f = 0; f < bvh.frameCount(); ++f) {
+    const std::span<const float> row = bvh.frame(f);
+    for (std::size_t j = 0; j < source.size(); ++j) {
+      const Bvh::Joint& joint = bvh.joints[source[j]];
+      glm::dquat rotation(1, 0, 0, 0);
+      glm::vec3 position = skeleton.offsets[j];
+      for (std::size_t c = 0; c < joint.channels.size(); ++c) {
+        const float value = row[joint.firstChannel + c];
+        const int axis = axisOf(joint.channels[c]);
+        if (isPosition(joint.channels[c])) {
+          position[axis] = scale * value;
+        } else {
+          // Channels turn the joint one after another about its own axes: first one outermost.
+          glm::dvec3 direction(0);
+          direction[axis] = 1;
+          rotation = rotation * glm::angleAxis(glm::radians(static_cast<double>(value)), direction);
+        }
+      }
+      clip.rotations.push_back(glm::quat(glm::normalize(rotation)));
+      clip.positions.push_back(position);
+    }
+  }
+  return clip;
+}
+
+void poseAtFrame(const Clip& clip, std::size_t frame, std::span<RigidTransform> worldFromJoint) {
+  for (std::size_t j = 0; j < clip.skeleton.jointCount(); ++j)
+    worldFromJoint[j] = localAt(clip, j, frame, 0.0f);
+  chain(clip.skeleton, worldFromJoint);
+}
+
+void poseAtTime(const Clip& clip, double seconds, std::span<RigidTransform> worldFromJoint) {
+  const FrameTime at = frameTimeAt(clip, seconds);
+  for (std::size_t j = 0; j < clip.skeleton.jointCount(); ++j)
+    worldFromJoint[j] = localAt(clip, j, at.frame, at.t);
+  chain(clip.skeleton, worldFromJoint);
+}
+
+Clip resample(const Clip& clip, double frameTime) {
+  require(frameTime > 0 && std::isfinite(frameTime), "resample: frame time ", frameTime,
+          " s, must be above 0");
+  require(clip.frameCount() > 0, "resample: the clip has no frames");
+  Clip out;
+  out.skeleton = clip.skeleton;
+  out.frameTime = frameTime;
+  // A frame more than fits whole intervals, where rounding alone would lose the last one.
+  const std::size_t frames = 1 + static_cast<std::size_t>(clip.duration() / frameTime + 1e-6);
+  out.rotations.reserve(frames * clip.skeleton.jointCount());
+  out.positions.reserve(frames * clip.skeleton.jointCount());
+  for (std::size_t f = 0; f < frames; ++f) {
+    const FrameTime at = frameTimeAt(clip, static_cast<double>(f) * frameTime);
+    for (std::size_t j = 0; j < clip.skeleton.jointCount(); ++j) {
+      const RigidTransform local = localAt(clip, j, at.frame, at.t);
+      out.rotations.push_back(local.rotation);
+      out.positions.push_back(local.translation);
+    }
+  }
+  return out;
+}
+
+Clip trim(const Clip& clip, std::size_t first, std::size_t last) {
+  require(first < last && last <= clip.frameCount(), "trim: frames ", first, " to ", last,
+          " of a clip of ", clip.frameCount(), " frames");
+  const std::size_t joints = clip.skeleton.jointCount();
+  const auto part = [&](const auto& values) {
+    const auto begin = values.begin();
+    return std::vector(begin + static_cast<std::ptrdiff_t>(first * joints),
+                       begin + static_cast<std::ptrdiff_t>(last * joints));
+  };
+  return {clip.skeleton, clip.frameTime, part(clip.rotations), part(clip.positions)};
+}
+
+std::size_t leadInFrames(const Clip& clip) {
+  // Steps between frames: the mean over joints of how far they turn. One joint may spin fast, but
+  // when a recording jumps, the whole body does.
+  constexpr std::size_t kSearched = 12, kCompared = 36;
+  if (clip.frameCount() < kSearched + 12) return 0;
+  const std::size_t joints = clip.skeleton.jointCount();
+  const std::size_t steps = std::min(kCompared, clip.frameCount() - 1);
+  std::vector<float> turned(steps);
+  for (std::size_t f = 0; f < steps; ++f) {
+    float sum = 0;
+    for (std::size_t j = 0; j < joints; ++j)
+      sum += degreesBetween(clip.rotations[f * joints + j], clip.rotations[(f + 1) * joints + j]);
+    turned[f] = sum / static_cast<float>(joints);
+  }
+  std::vector<float> usual(turned.begin() + kSearched, turned.end());
+  const auto high = usual.begin() + static_cast<std::ptrdiff_t>(usual.size() * 9 / 10);
+  std::nth_element(usual.begin(), high, usual.end());
+  const float limit = std::max(0.5f, 3.0f * *high);
+  std::size_t drop = 0;
+  for (std::size_t f = 0; f < kSearched; ++f)
+    if (turned[f] > limit) drop = f + 1;
+  return drop;
+}
+
+}  // namespace hair

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <libhair/core/lanes.h>
+#include <libhair/guides/guide_strands.h>
+#include <libhair/shadow/density_map.h>
+
+namespace hair {
+
+/// Which way over-full cells push.
+enum class RepulsionKind {
+  CellCentre,  ///< away from the centre of the point's cell (Bertails et al. 2005, section 4.1)
+  Gradient,    ///< down the density's gradient (SIGGRAPH 2010 course, "Hair-hair interactions")
+};
+
+/// Self-collision: hair that is denser than it was groomed spreads out.
+struct RepulsionSettings {
+  RepulsionKind kind = RepulsionKind::Gradient;
+  float cellSize = 0.02f;          ///< metres; of the map of density that guides feel
+  int cells = 64;                  ///< along each axis; cells · cellSize as DensityMapSettings says
+  std::uint32_t strandStride = 4;  ///< every so many drawn strands are counted, for all
+  float threshold = 1.5e6f;        ///< metres of hair per m³ that never push
+  float tolerance = 1.3f;          ///< nor does less than the groom's own density times this, >= 1
+  float strength = 40;             ///< m/s² on a point where density is twice what it may be
+  float limit = 80;                ///< m/s², the most
+};
+
+/// What a groom at rest has of density at each guide point, and the push of the last frame.
+struct Repulsion {
+  DensityMap density;          ///< metres of hair per m³
+  std::vector<Lanes> allowed;  ///< [groupCount · pointsPerGuide], metres of hair per m³
+  std::vector<LaneVec3> push;  ///< the same, m/s²; what stepGuides takes
+};
+
+/// Fills the map with the drawn hair's length. The map's axes are the world's, not the light's: a
+/// lamp that moves must not move the hair.
+void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSettings& settings,
+                    DensityMap& density);
+
+/// Learns from guides and drawn hair at rest what density is allowed where. Throws Error for
+/// settings out of range.
+void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& guides,
+                      const RepulsionSettings& settings, Repulsion& repulsion);
+
+/// Pushes on all guide points from the density in the map. A point pushes nothing back on the hair
+/// at rest, so repulsion cannot keep a groom from coming to rest. Threads over groups.
+void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repulsion& repulsion);
+
+}  // namespace hair

@@ -1,0 +1,135 @@
+#include <libhair/wisps/bind.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include <libhair/core/error.h>
+#include <libhair/core/parallel.h>
+#include <libhair/guides/guide_strands.h>
+#include <libhair/wisps/wisps.h>
+
+namespace hair {
+
+namespace {
+
+// What makes two strands alike: where they start, and where they go from there.
+struct Feature {
+  glm::vec3 root, reach;
+};
+
+float difference(const Feature& a, const Feature& b) {
+  const glm::vec3 root = a.root - b.root, reach = a.reach - b.reach;
+  return glm::dot(root, root) + glm::dot(reach, reach);
+}
+
+std::vector<Feature> featuresOf(StrandView strands, float shapeWeight) {
+  std::vector<Feature> features;
+  features.reserve(strands.strandCount());
+  for (std::size_t s = 0; s < strands.strandCount(); ++s) {
+    const auto p = strands.strand(s);
+    // Middle and tip, so that a loop is no stub.
+    const glm::vec3 reach = 0.5f * (p[p.size() / 2] + p.back()) - p.front();
+    features.push_back({p.front(), shapeWeight * reach});
+  }
+  return features;
+}
+
+// Farthest-point sampling, from the strand nearest to the mean root on.
+std::vector<std::uint32_t> chooseGuides(const std::vector<Feature>& features, std::size_t count) {
+  glm::vec3 mean(0);
+  for (const Feature& f : features) mean += f.root / static_cast<float>(features.size());
+  std::vector<float> distance(features.size(), std::numeric_limits<float>::max());
+  std::size_t next = 0;
+  for (std::size_t s = 1; s < features.size(); ++s)
+    if (glm::distance(features[s].root, mean) < glm::distance(features[next].root, mean)) next = s;
+  std::vector<std::uint32_t> chosen;
+  while (chosen.size() < std::min(count, features.size())) {
+    chosen.push_back(static_cast<std::uint32_t>(next));
+    for (std::size_t s = 0; s < features.size(); ++s)
+      distance[s] = std::min(distance[s], difference(features[s], features[next]));
+    next = static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) -
+                                    distance.begin());
+  }
+  return chosen;
+}
+
+// n points at equal distances along the polyline.
+void resample(std::span<const glm::vec3> points, std::uint32_t n, std::vector<glm::vec3>& out) {
+  const float step = arcLength(points) / static_cast<float>(n - 1);
+  out.push_back(points.front());
+  std::size_t segment = 0;
+  float passed = 0;  // length before the segment
+  for (std::uint32_t i = 1; i + 1 < n; ++i) {
+    const float at = step * static_cast<float>(i);
+    float length = glm::distance(points[segment], points[segment + 1]);
+    while (segment + 2 < points.size() && passed + length < at) {
+      passed += length;
+      ++segment;
+      length = glm::distance(points[segment], points[segment + 1]);
+    }
+    const float t = length > 0 ? glm::clamp((at - passed) / length, 0.0f, 1.0f) : 0.0f;
+    out.push_back(glm::mix(points[segment], points[segment + 1], t));
+  }
+  out.push_back(points.back());
+}
+
+}  // namespace
+
+Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
+  validate(strands, "bindGroom", 2);
+  require(strands.strandCount() > 0, "bindGroom: no strands");
+  require(settings.guides >= 1, "bindGroom: guides = 0; take at least 1");
+  require(settings.pointsPerGuide >= 3 && settings.pointsPerGuide <= kMaxGuidePoints,
+          "bindGroom: pointsPerGuide = ", settings.pointsPerGuide, " is not in 3 to ",
+          kMaxGuidePoints);
+  const auto features = featuresOf(strands, settings.shapeWeight);
+  const auto guides = chooseGuides(features, settings.guides);
+
+  Groom groom;
+  groom.pointsPerGuide = settings.pointsPerGuide;
+  for (std::uint32_t g : guides)
+    resample(strands.strand(g), settings.pointsPerGuide, groom.guidePoints);
+  groom.first.assign(strands.first.begin(), strands.first.end());
+  groom.parents.resize(strands.strandCount());
+  groom.weights.resize(strands.strandCount());
+  groom.offsets.resize(strands.pointCount());
+  groom.fibre.hairsPerStrand = std::max(1.0f, hairs / static_cast<float>(strands.strandCount()));
+
+  parallelFor(strands.strandCount(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<float> distance(guides.size());
+    std::vector<std::uint32_t> order(guides.size());
+    for (std::size_t s = begin; s < end; ++s) {
+      for (std::size_t g = 0; g < guides.size(); ++g)
+        distance[g] = difference(features[s], features[guides[g]]);
+      std::iota(order.begin(), order.end(), 0u);
+      const auto three = static_cast<std::ptrdiff_t>(std::min<std::size_t>(3, guides.size()));
+      std::partial_sort(order.begin(), order.begin() + three, order.end(), [&](auto a, auto b) {
+        return distance[a] != distance[b] ? distance[a] < distance[b] : a < b;
+      });
+      glm::vec3 weights(0);
+      for (int j = 0; j < 3; ++j) {
+        groom.parents[s][j] = j < three ? order[static_cast<std::size_t>(j)] : order[0];
+        // Squared distances: the main guide leads, the others soften the borders.
+        if (j < three) weights[j] = 1.0f / (distance[order[static_cast<std::size_t>(j)]] + 1e-8f);
+      }
+      groom.weights[s] = weights / (weights.x + weights.y + weights.z);
+    }
+  });
+
+  // Offsets are what is missing at rest.
+  const GuideStrands rest(groom, {});
+  Wisps wisps(groom, rest);
+  for (std::size_t s = 0; s < strands.strandCount(); ++s) {
+    const std::uint32_t n = groom.first[s + 1] - groom.first[s];
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::size_t at = groom.first[s] + k;
+      const auto& frame =
+          wisps.curves.frames[groom.parents[s].x * wisps.curves.samples + wisps.sampleOf(k, n)];
+      groom.offsets[at] = frame.fromWorld(strands.points[at] - wisps.points[at]);
+    }
+  }
+  return groom;
+}
+
+}  // namespace hair

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <libhair/guides/contact.h>
+#include <libhair/model/groom.h>
+#include <libhair/wisps/guide_curves.h>
+
+namespace hair {
+
+/// How drawn strands are kept out of colliders (SIGGRAPH 2010 course, "Avoiding interpolated hair
+/// collisions").
+struct WispSettings {
+  bool avoidColliders = true;
+  float clearance = 1e-3f;        ///< metres that drawn points keep from colliders
+  std::uint32_t blendPoints = 4;  ///< points above the first hit over which a strand changes over
+};
+
+/// Drawn strands that follow guides, as a Groom says.
+struct Wisps {
+  /// Guides at rest and the head's collider (may be null): a strand groomed closer to the head
+  /// than the clearance may stay as close.
+  /// Throws Error: a groom whose arrays disagree (counts, guide indices, weights that do not sum
+  /// to 1, strands of fewer than 2 points). Keeps a reference to the groom.
+  Wisps(const Groom& groom, const GuideStrands& guidesAtRest, const WispSettings& settings = {},
+        const MeshSdf* head = nullptr);
+
+  /// What interpolateWisps last made.
+  StrandView strands() const { return {points, groom->first}; }
+  /// Sample of the guide curves that point k of a strand of n points follows: the nearest, exact
+  /// where strand and curves have as many points.
+  std::uint32_t sampleOf(std::uint32_t k, std::uint32_t n) const {
+    return n == curves.samples ? k : (2 * k * (curves.samples - 1) + (n - 1)) / (2 * (n - 1));
+  }
+
+  const Groom* groom;
+  WispSettings settings;
+  std::vector<glm::vec3> points;  ///< [pointCount], metres, world
+  GuideCurves curves;
+  /// [strandCount]; where the root sits in the frame at its main guide's root, metres: the offset
+  /// that single-strand interpolation keeps along the whole strand.
+  std::vector<glm::vec3> rootOffsets;
+  std::vector<float> clearance;           ///< [strandCount], metres to the head
+  std::vector<std::uint64_t> nearBodies;  ///< [guideCount], scratch: bit c = near capsule c
+};
+
+/// Guides to drawn strands. For each strand, multi-strand interpolation (Groom); where a point
+/// would be inside a collider, single-strand interpolation from a few points above it to the tip;
+/// and what is inside even then is put on the surface. Colliders are where they stand at the end of
+/// the frame. Threads over strands; writes wisps.points. At most 64 capsules.
+void interpolateWisps(const GuideStrands& guides, const ColliderState& colliders, Wisps& wisps);
+
+}  // namespace hair

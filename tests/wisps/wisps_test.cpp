@@ -1,0 +1,170 @@
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <libhair/core/error.h>
+#include <libhair/core/parallel.h>
+#include <libhair/core/random.h>
+#include <libhair/files/strand_file.h>
+#include <libhair/wisps/bind.h>
+#include <libhair/wisps/wisps.h>
+
+namespace hair {
+namespace {
+
+// Wavy strands of different lengths and point counts on a small dome.
+StrandSet dome(std::uint32_t count) {
+  StrandSet strands;
+  for (std::uint32_t s = 0; s < count; ++s) {
+    const float a = 6.2831853f * uniform(s, 0), r = 0.08f * std::sqrt(uniform(s, 1));
+    const glm::vec3 root(r * std::cos(a), std::sqrt(0.01f - r * r), r * std::sin(a));
+    const auto n = 6 + static_cast<std::uint32_t>(20 * uniform(s, 2));
+    const float length = 0.1f + 0.2f * uniform(s, 3), wave = 9 * uniform(s, 4);
+    std::vector<glm::vec3> points;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const float t = static_cast<float>(k) / static_cast<float>(n - 1);
+      points.push_back(root * (1 + 10 * length * t) +
+                       0.01f * t * glm::vec3(std::cos(wave * t), std::sin(wave * t), -t));
+    }
+    strands.append(points);
+  }
+  return strands;
+}
+
+float largestDifference(std::span<const glm::vec3> a, std::span<const glm::vec3> b) {
+  float worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, glm::distance(a[i], b[i]));
+  return worst;
+}
+
+TEST(Wisps, ABoundGroomReproducesItselfAtRest) {
+  const StrandSet strands = dome(300);
+  const Groom groom = bindGroom(strands, {40, 12, 0.5f});
+  const GuideStrands guides(groom, {});
+  Wisps wisps(groom, guides);
+  interpolateWisps(guides, {}, wisps);
+  ASSERT_EQ(wisps.points.size(), strands.points.size());
+  EXPECT_LT(largestDifference(wisps.points, strands.points),
+            1e-5f * glm::length(bounds(strands.points).size()));
+}
+
+TEST(Wisps, ARealGroomReproducesItselfAtRest) {
+  const std::filesystem::path file = std::filesystem::path(HAIR_DATA_DIR) / "hair/sintel.tfx";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "real data not found at " << file;
+  const StrandFile loaded = readStrands(file);
+  const Groom groom = bindGroom(loaded.strands);
+  const GuideStrands guides(groom, {});
+  const Wisps wisps(groom, guides);
+  EXPECT_LT(largestDifference(wisps.points, loaded.strands.points),
+            1e-5f * glm::length(bounds(loaded.strands.points).size()));
+}
+
+TEST(Wisps, DrawnStrandsMoveRigidlyWithAHeadThatCarriesItsGuides) {
+  const StrandSet strands = dome(100);
+  const Groom groom = bindGroom(strands, {20, 12, 0.5f});
+  const RigidTransform head{glm::angleAxis(2.1f, glm::normalize(glm::vec3(1, 2, -1))), {3, -1, 2}};
+  const GuideStrands guides(groom, {}, head);
+  Wisps wisps(groom, guides);
+  interpolateWisps(guides, {}, wisps);
+  std::vector<glm::vec3> expected;
+  for (glm::vec3 p : strands.points) expected.push_back(head.point(p));
+  EXPECT_LT(largestDifference(wisps.points, expected), 1e-5f);
+}
+
+TEST(Wisps, CurvesPassThroughGuidePointsAndStraightGuidesStayStraight) {
+  Groom groom;
+  groom.pointsPerGuide = 5;
+  for (int i = 0; i < 5; ++i) groom.guidePoints.emplace_back(0.1f * static_cast<float>(i), 0, 0);
+  for (int i = 0; i < 5; ++i)
+    groom.guidePoints.emplace_back(0.1f * std::cos(static_cast<float>(i)),
+                                   0.1f * std::sin(static_cast<float>(i)), 1);
+  const GuideStrands guides(groom, {});
+  GuideCurves curves(guides, 9, true);
+  sampleGuides(guides, curves);
+  for (std::uint32_t k = 0; k < 9; ++k)
+    EXPECT_LT(glm::distance(curves.points[k], glm::vec3(0.05f * static_cast<float>(k), 0, 0)),
+              1e-7f);
+  for (std::uint32_t i = 0; i < 5; ++i)
+    EXPECT_LT(glm::distance(curves.points[9 + 2 * i], groom.guidePoints[5 + i]), 1e-7f);
+}
+
+TEST(Wisps, FramesStayOrthonormalAndDoNotTwist) {
+  // Along a plane curve the carried normal keeps its angle to the plane.
+  Groom groom;
+  groom.pointsPerGuide = 24;
+  for (int i = 0; i < 24; ++i) {
+    const float a = 0.2f * static_cast<float>(i);
+    groom.guidePoints.emplace_back(0.1f * std::cos(a), 0.1f * std::sin(a), 0);
+  }
+  const GuideStrands guides(groom, {});
+  GuideCurves curves(guides, 100, true);
+  sampleGuides(guides, curves);
+  for (const auto& f : curves.frames) {
+    EXPECT_NEAR(glm::dot(f.normal, f.tangent), 0, 1e-5f);
+    EXPECT_NEAR(glm::length(f.normal), 1, 1e-5f);
+    EXPECT_NEAR(f.normal.z, curves.frames[0].normal.z, 1e-3f);
+  }
+}
+
+TEST(Wisps, NoDrawnPointIsLeftInsideACollider) {
+  // Two guides that pass a ball on either side: what is drawn between them would go through it.
+  Groom groom;
+  groom.pointsPerGuide = 12;
+  for (const float side : {-1.0f, 1.0f})
+    for (int i = 0; i < 12; ++i) {
+      const float t = static_cast<float>(i) / 11;
+      groom.guidePoints.emplace_back(side * (0.02f + 0.09f * std::sin(3.14159265f * t)),
+                                     0.3f - 0.6f * t, 0);
+    }
+  const std::uint32_t n = 40;
+  for (int s = 0; s <= 20; ++s) {
+    const float w = static_cast<float>(s) / 20;
+    groom.parents.emplace_back(w < 0.5f ? 0 : 1, w < 0.5f ? 1 : 0, 0);
+    groom.weights.emplace_back(std::max(w, 1 - w), std::min(w, 1 - w), 0);
+    groom.first.push_back(groom.first.back() + n);
+  }
+  const GuideStrands guides(groom, {});
+  Wisps wisps(groom, guides);
+  const Capsule ball{{0, 0, 0}, {0, 0, 0}, 0.08f};
+  const auto deepest = [&] {
+    float d = 1;
+    for (glm::vec3 p : wisps.points) d = std::min(d, distanceAndGradient(ball, p).w);
+    return d;
+  };
+  interpolateWisps(guides, {}, wisps);
+  EXPECT_LT(deepest(), -0.05f) << "the scene no longer needs avoiding";
+  interpolateWisps(guides, {{}, {}, {&ball, 1}, {&ball, 1}, nullptr}, wisps);
+  EXPECT_GE(deepest(), -1e-6f);
+}
+
+TEST(Wisps, SameBitsForAnyThreadCount) {
+  std::vector<std::vector<glm::vec3>> results;
+  for (int threads : {1, 2, 7}) {
+    const ThreadLimit limit(threads);
+    const Groom groom = bindGroom(dome(200), {30, 12, 0.5f});
+    const GuideStrands guides(groom, {});
+    results.push_back(Wisps(groom, guides).points);
+  }
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
+}
+
+TEST(Wisps, AGroomWhoseArraysDisagreeIsRefused) {
+  const Groom good = bindGroom(dome(20), {6, 8, 0.5f});
+  const GuideStrands guides(good, {});
+  const auto refused = [&](auto change) {
+    Groom groom = good;
+    change(groom);
+    EXPECT_THROW(Wisps(groom, guides), Error);
+  };
+  refused([](Groom& g) { g.weights.pop_back(); });
+  refused([](Groom& g) { g.offsets.pop_back(); });
+  refused([](Groom& g) { g.parents[3].y = 6; });
+  refused([](Groom& g) { g.weights[3].x += 0.1f; });
+  refused([](Groom& g) { g.first[4] = g.first[3] + 1; });
+}
+
+}  // namespace
+}  // namespace hair
