@@ -261,6 +261,28 @@ TEST(Transmittance, HasTheSameBitsForAnyThreadCount) {
   }
 }
 
+TEST(Deposit, LosesNothingWhereAllThreadsMeetInOneCell) {
+  StrandSet hair;
+  for (int s = 0; s < 20000; ++s)
+    hair.append(std::vector<glm::vec3>{{1e-3f, 1e-3f, 1e-3f},
+                                       {2e-3f, 2e-3f, 1e-3f},
+                                       {3e-3f, 1e-3f, 2e-3f},
+                                       {1e-3f, 3e-3f, 1e-3f}});
+  for (Deposit d : kDeposits) {
+    DensityMapSettings settings;
+    settings.deposit = d;
+    double alone = 0;
+    for (int threads : {1, 2, 7}) {
+      const ThreadLimit limit(threads);
+      DensityMap map;
+      clear(map, settings, alongX());
+      deposit(hair, oneHair(8e-5f, 0.6f), map);
+      if (threads == 1) alone = total(map);
+      EXPECT_EQ(total(map), alone) << threads << " threads";
+    }
+  }
+}
+
 TEST(Transmittance, OfAUsedMapIsThatOfANewOne) {
   const StrandSet hair = headOfHair(500, 20), other = headOfHair(300, 30, 0.3f, {0.1f, 0.2f, 0});
   DensityMap used, fresh;
@@ -488,22 +510,26 @@ TEST(Filter, CentredPeaksInTheMiddleOfACellAndPaperAtItsFarCorner) {
   settings.cells = 16;
   settings.cellSize = 1.0f;
   DensityMap map;
-  const auto darkestAt = [&](Filter f) {
+  const auto darkestAt = [&](Filter f, int axis) {
     settings.filter = f;
     clear(map, settings, alongX());
     deposit(oneStrand({{0.5f, 5.2f, 5.5f}, {0.5f, 5.8f, 5.5f}}), oneHair(1, 1), map);
     computeTransmittance(map);
     float darkest = 2, where = 0;
     for (int i = 0; i < 400; ++i) {
-      const glm::vec3 p(3, 4 + 0.01f * static_cast<float>(i), f == Filter::Paper ? 5.999f : 5.5f);
+      const float other = f == Filter::Paper ? 5.999f : 5.5f,
+                  here = 4 + 0.01f * static_cast<float>(i);
+      const glm::vec3 p = axis == 1 ? glm::vec3(3, here, other) : glm::vec3(3, other, here);
       float t;
       sampleTransmittance(map, std::span(&p, 1), std::span(&t, 1));
-      if (t < darkest) darkest = t, where = p.y;
+      if (t < darkest) darkest = t, where = here;
     }
     return where;
   };
-  EXPECT_NEAR(darkestAt(Filter::Centred), 5.5f, 0.02f);
-  EXPECT_NEAR(darkestAt(Filter::Paper), 6.0f, 0.02f);
+  for (int axis : {1, 2}) {
+    EXPECT_NEAR(darkestAt(Filter::Centred, axis), 5.5f, 0.02f);
+    EXPECT_NEAR(darkestAt(Filter::Paper, axis), 6.0f, 0.02f);
+  }
 }
 
 TEST(Density, IntegratesToTheLengthOfHair) {
