@@ -187,8 +187,7 @@ void spread(glm::vec3 u, std::uint32_t count, Writer& writer) {
   const glm::ivec3 c = floorToCell(v);
   const glm::vec3 f = v - glm::vec3(c);
   const auto upperPart = [](std::uint32_t whole, float part) {
-    return std::min(whole, static_cast<std::uint32_t>(
-                               static_cast<std::int64_t>(static_cast<float>(whole) * part + 0.5f)));
+    return std::min(whole, toCount(static_cast<float>(whole) * part + 0.5f));
   };
   const std::uint32_t x1 = upperPart(count, f.x);
   for (int x = 0; x < 2; ++x) {

@@ -71,7 +71,9 @@ class Sampler {
   }
 
   const float* rowAt(int slice, int k) const {
-    return map_.transmittance.data() + map_.rowOf[static_cast<std::size_t>(slice * n_ + k)];
+    return map_.transmittance.data() +
+           map_.rowOf[static_cast<std::size_t>(slice) * static_cast<std::size_t>(n_) +
+                      static_cast<std::size_t>(k)];
   }
 
   float across(int slice, int j0, int j1, int k0, int k1, float y, float z) const {
