@@ -71,7 +71,8 @@ struct Shader {
       const float sinB = std::sqrt(std::max(1.0f - cosB * cosB, 0.0f));
       const float cosX = sinA * sinB - cosA * cosB;  // x = a + b - pi
       const float sinX = -sinA * cosB - cosA * sinB;
-      const float lit = tt > 1e-30f ? batch.lit[i] : 0.0f;
+      const float full = batch.lit[i];
+      const float lit = tt > 1e-30f ? full : 0.0f;
       const float x1 = std::min(std::max(cosX * cosFirst + sinX * sinFirst, 0.0f), 1.0f);
       const float white = firstStrength * lit * powApproximate(x1, firstExponent);
       float own = ambient + diffuse * lit * sinA;

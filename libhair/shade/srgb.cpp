@@ -6,10 +6,6 @@
 
 namespace hair {
 
-namespace {
-constexpr float kLeast = 0x1p-13f;  // 0.4 of the step from 0 to 1: shown as 0
-}
-
 float srgbFromLinear(float linear) {
   const float x = std::clamp(linear, 0.0f, 1.0f);
   return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
@@ -22,7 +18,7 @@ SrgbTable::SrgbTable() {
     // The middle of the range of floats that share these bits.
     const auto low = static_cast<std::uint32_t>(b) << (23 - kMantissaBits);
     const float x = std::bit_cast<float>(start + low + (1u << (22 - kMantissaBits)));
-    bytes_[b] = static_cast<std::uint8_t>(255.0f * srgbFromLinear(x) + 0.5f);
+    bytes_[b] = static_cast<std::uint8_t>(std::lround(255.0f * srgbFromLinear(x)));
   }
   bytes_[0] = 0;
   bytes_[count] = 255;
@@ -31,14 +27,6 @@ SrgbTable::SrgbTable() {
 const SrgbTable& SrgbTable::get() {
   static const SrgbTable table;
   return table;
-}
-
-std::uint8_t SrgbTable::operator()(float linear) const {
-  // NaN compares false and becomes kLeast: black.
-  const float x = linear > kLeast ? std::min(linear, 1.0f) : kLeast;
-  const std::uint32_t offset =
-      std::bit_cast<std::uint32_t>(x) - std::bit_cast<std::uint32_t>(kLeast);
-  return bytes_[offset >> (23 - kMantissaBits)];
 }
 
 }  // namespace hair

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 namespace hair {
@@ -11,13 +12,19 @@ class SrgbTable {
   /// The one table, made at first use.
   static const SrgbTable& get();
 
-  std::uint8_t operator()(float linear) const;
+  std::uint8_t operator()(float linear) const {
+    // NaN compares false and becomes kLeast: black.
+    const float x = linear > kLeast ? (linear < 1.0f ? linear : 1.0f) : kLeast;
+    return bytes_[(std::bit_cast<std::uint32_t>(x) - std::bit_cast<std::uint32_t>(kLeast)) >>
+                  (23 - kMantissaBits)];
+  }
 
  private:
   SrgbTable();
 
   static constexpr int kMantissaBits = 9;
-  static constexpr int kOctaves = 13;  // 2^-13 and below is shown as 0
+  static constexpr int kOctaves = 13;
+  static constexpr float kLeast = 0x1p-13f;  // 0.4 of the step from 0 to 1: shown as 0
   std::uint8_t bytes_[(kOctaves << kMantissaBits) + 1];
 };
 

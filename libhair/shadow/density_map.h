@@ -120,6 +120,9 @@ struct DensityMap {
 
   int wrap(int i) const {
     const int n = settings.cells;
+    // The hair is hardly ever farther than one map from its anchor: no division then.
+    i += i < 0 ? n : 0;
+    i -= i >= n ? n : 0;
     if (static_cast<unsigned>(i) < static_cast<unsigned>(n)) return i;
     i %= n;
     return i < 0 ? i + n : i;

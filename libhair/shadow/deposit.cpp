@@ -8,6 +8,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/shadow/cell_batch.h>
 
 namespace hair {
 
@@ -41,9 +42,10 @@ class CellWriter {
     }
   }
 
-  void extend(glm::ivec3 cell) {
-    lower_ = glm::min(lower_, cell);
-    upper_ = glm::max(upper_, cell);
+  /// All cells from one to the other may be written.
+  void extend(glm::ivec3 lower, glm::ivec3 upper) {
+    lower_ = glm::min(lower_, lower);
+    upper_ = glm::max(upper_, upper);
   }
 
   void add(glm::ivec3 cell, std::uint32_t count) {
@@ -102,8 +104,12 @@ std::uint32_t toCount(float amount) {
                                  : static_cast<std::uint32_t>(static_cast<std::int64_t>(amount));
 }
 
+std::uint32_t addSaturating(std::uint32_t a, std::uint32_t b) {
+  return a > kFull - b ? kFull : a + b;
+}
+
 /// Rounds the amounts of one strand to counts, handing what rounding took or gave on to the next:
-/// a strand's sum is right to half a count however many cells it crosses.
+/// a strand's sum is right to half a count however many segments it has.
 class Rounder {
  public:
   std::uint32_t take(float amount) {
@@ -121,40 +127,56 @@ glm::ivec3 floorToCell(glm::vec3 u) {
   return {floorToInt(u.x), floorToInt(u.y), floorToInt(u.z)};
 }
 
+/// One axis of a walk through the cells along a segment.
+struct AxisWalk {
+  int way, left;     // direction of the next wall, walls to cross
+  float next, step;  // the next wall and the way from wall to wall, in the segment's parameter
+
+  AxisWalk(float a, float b, int cell, int last) : way(last > cell ? 1 : -1), left(last - cell) {
+    const float perParameter = 1.0f / (b - a);
+    const float wall = static_cast<float>(cell + (way > 0 ? 1 : 0));
+    const float first = (wall - a) * perParameter;
+    next = left == 0 ? kNever : first;
+    step = std::abs(perParameter);
+    left = std::abs(left);
+  }
+  /// Crosses the wall at `next` if `now`. Whole numbers of walls decide where the axis ends, never
+  /// sums of steps. Selections, no branches: which axis comes next cannot be predicted.
+  void cross(bool now, int& cell) {
+    const int one = now ? 1 : 0;
+    cell += now ? way : 0;
+    left -= one;
+    const float further = next + (now ? step : 0.0f);
+    next = left == 0 ? kNever : further;
+  }
+
+  static constexpr float kNever = 2.0f;
+};
+
 /// Walks the cells between two points, all in unwrapped cell coordinates, and leaves in each the
-/// part of `amount` that lies inside. Amanatides and Woo 1987. What falls into the last cell is
-/// kept in `pending`, because the next segment most often goes on there.
+/// part of `count` that lies inside. Amanatides and Woo 1987. What falls into the last cell is kept
+/// in `pending`, because the next segment most often goes on there.
 template <class Writer>
-void depositSegment(glm::vec3 a, glm::vec3 b, float amount, glm::ivec3& cell, float& pending,
-                    Rounder& rounder, Writer& writer) {
-  const glm::ivec3 last = floorToCell(b);
-  if (cell == last) {
-    pending += amount;
-    return;
-  }
-  const glm::vec3 d = b - a;
-  glm::vec3 next(2.0f), step(0.0f);  // in the segment's parameter, 0 at a, 1 at b
-  glm::ivec3 way(0);
-  for (int c = 0; c < 3; ++c) {
-    if (cell[c] == last[c]) continue;
-    way[c] = last[c] > cell[c] ? 1 : -1;
-    step[c] = 1.0f / std::abs(d[c]);
-    const float wall = static_cast<float>(cell[c] + (way[c] > 0 ? 1 : 0));
-    next[c] = std::clamp((wall - a[c]) / d[c], 0.0f, 1.0f);
-  }
-  float t = 0;
-  while (cell != last) {
-    const int c = next.x <= next.y ? (next.x <= next.z ? 0 : 2) : (next.y <= next.z ? 1 : 2);
-    const float wall = std::clamp(next[c], t, 1.0f);
-    writer.add(cell, rounder.take(pending + amount * (wall - t)));
+void depositSegment(glm::vec3 a, glm::vec3 b, std::uint32_t count, glm::ivec3& cell,
+                    glm::ivec3 last, std::uint32_t& pending, Writer& writer) {
+  AxisWalk x(a.x, b.x, cell.x, last.x), y(a.y, b.y, cell.y, last.y), z(a.z, b.z, cell.z, last.z);
+  const auto whole = static_cast<float>(count);
+  std::uint32_t left = 0;  // behind us
+  for (int walls = x.left + y.left + z.left; walls > 0; --walls) {
+    const float wall = std::min(std::min(x.next, y.next), z.next);
+    // Differences of a rounded running sum: the parts add up to the count.
+    const std::uint32_t reached =
+        std::min(std::max(toCount(std::max(whole * wall, 0.0f)), left), count);
+    writer.add(cell, addSaturating(pending, reached - left));
     pending = 0;
-    t = wall;
-    cell[c] += way[c];
-    // Whole numbers of cells decide where an axis ends, not sums of steps.
-    next[c] = cell[c] == last[c] ? 2.0f : next[c] + step[c];
-    writer.extend(cell);
+    left = reached;
+    const bool alongX = x.next == wall;
+    const bool alongY = !alongX & (y.next == wall);
+    x.cross(alongX, cell.x);
+    y.cross(alongY, cell.y);
+    z.cross(!(alongX | alongY), cell.z);
   }
-  pending = amount * (1.0f - t);
+  pending = addSaturating(pending, count - left);
 }
 
 /// Spreads a count over the eight cells whose centres surround u. Halved, halved and halved again
@@ -165,8 +187,7 @@ void spread(glm::vec3 u, std::uint32_t count, Writer& writer) {
   const glm::ivec3 c = floorToCell(v);
   const glm::vec3 f = v - glm::vec3(c);
   const auto upperPart = [](std::uint32_t whole, float part) {
-    return std::min(whole, static_cast<std::uint32_t>(
-                               static_cast<std::int64_t>(static_cast<float>(whole) * part + 0.5f)));
+    return std::min(whole, toCount(static_cast<float>(whole) * part + 0.5f));
   };
   const std::uint32_t x1 = upperPart(count, f.x);
   for (int x = 0; x < 2; ++x) {
@@ -179,8 +200,6 @@ void spread(glm::vec3 u, std::uint32_t count, Writer& writer) {
       writer.add(c + glm::ivec3(x, 1, z), y1);
     }
   }
-  writer.extend(c);
-  writer.extend(c + 1);
 }
 
 /// What a segment adds per cell that it advances: across the light for optical depth (length times
@@ -194,61 +213,77 @@ struct SegmentScale {
   }
 };
 
+/// Calls visit(u, cell) for the points of one strand in turn, and tells the writer their bounds,
+/// widened by `margin` cells.
+template <class Writer, class Visit>
+void forCells(std::span<const glm::vec3> points, float margin, const CellFrame& frame,
+              Writer& writer, Visit&& visit) {
+  if (points.empty()) return;
+  CellBatch batch;
+  Bounds box;
+  for (std::size_t begin = 0; begin < points.size(); begin += CellBatch::kSize) {
+    const std::size_t count = std::min(points.size() - begin, CellBatch::kSize);
+    batch.fill(frame, points.subspan(begin, count), glm::vec3(0));
+    for (std::size_t l = 0; l < count; ++l) {
+      const glm::vec3 u(batch.x[l], batch.y[l], batch.z[l]);
+      box.extend(u);
+      visit(u, glm::ivec3(batch.i[l], batch.j[l], batch.k[l]));
+    }
+  }
+  writer.extend(floorToCell(box.lower - margin), floorToCell(box.upper + margin));
+}
+
 template <class Writer>
 void depositPoints(std::span<const glm::vec3> points, std::uint32_t count, const CellFrame& frame,
                    Writer& writer) {
-  for (glm::vec3 p : points) {
-    const glm::ivec3 cell = floorToCell(frame.cellCoordinates(p));
-    writer.extend(cell);
-    writer.add(cell, count);
-  }
+  forCells(points, 0.0f, frame, writer,
+           [&](glm::vec3, glm::ivec3 cell) { writer.add(cell, count); });
 }
 
 template <class Writer>
 void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, float longest,
                      const CellFrame& frame, Writer& writer) {
-  if (points.empty()) return;
-  glm::vec3 a = frame.cellCoordinates(points[0]);
-  glm::ivec3 cell = floorToCell(a);
-  float pending = 0;
+  glm::vec3 a(0);
+  glm::ivec3 at(0);
+  std::uint32_t pending = 0;
   Rounder rounder;
-  writer.extend(cell);
-  for (std::size_t p = 1; p < points.size(); ++p) {
-    const glm::vec3 b = frame.cellCoordinates(points[p]);
+  bool first = true;
+  forCells(points, 0.0f, frame, writer, [&](glm::vec3 b, glm::ivec3 cell) {
     const glm::vec3 d = b - a;
-    if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > longest) {
+    if (first) {
+      at = cell;
+      first = false;
+    } else if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > longest) {
       // Longer than the map: the map is aliased, and will say so; don't walk a billion cells.
-      pending += scale.amount(d);
-      writer.add(cell, rounder.take(pending));
+      writer.add(at, addSaturating(pending, rounder.take(scale.amount(d))));
       pending = 0;
-      cell = floorToCell(b);
-      writer.extend(cell);
+      at = cell;
     } else {
-      depositSegment(a, b, scale.amount(d), cell, pending, rounder, writer);
+      depositSegment(a, b, rounder.take(scale.amount(d)), at, cell, pending, writer);
     }
     a = b;
-  }
-  writer.add(cell, rounder.take(pending));
+  });
+  writer.add(at, pending);
 }
 
 template <class Writer>
 void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, float longest,
                       const CellFrame& frame, Writer& writer) {
-  if (points.empty()) return;
-  glm::vec3 a = frame.cellCoordinates(points[0]);
+  glm::vec3 a(0);
   Rounder rounder;
-  for (std::size_t p = 1; p < points.size(); ++p) {
-    const glm::vec3 b = frame.cellCoordinates(points[p]);
+  bool first = true;
+  forCells(points, 0.5f, frame, writer, [&](glm::vec3 b, glm::ivec3) {
     const glm::vec3 d = b - a;
     // One sample a cell: the spread is as wide as that.
     const float way = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    const int samples = static_cast<int>(std::min(way, longest)) + 1;
-    const float each = 1.0f / static_cast<float>(samples);
+    const int samples = first ? 0 : static_cast<int>(std::min(way, longest)) + 1;
+    const float each = 1.0f / static_cast<float>(std::max(samples, 1));
     for (int s = 0; s < samples; ++s)
       spread(a + d * ((static_cast<float>(s) + 0.5f) * each), rounder.take(scale.amount(d) * each),
              writer);
     a = b;
-  }
+    first = false;
+  });
 }
 
 /// Mean length of a segment, over at most 256 strands in a fixed order.

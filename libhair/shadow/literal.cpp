@@ -20,13 +20,15 @@ glm::ivec3 wrapped(const LiteralMap& map, glm::vec3 u) {
 }
 
 std::size_t at(const LiteralMap& map, int i, int j, int k) {
-  return static_cast<std::size_t>((i * map.cells + j) * map.cells + k);
+  const auto n = static_cast<std::size_t>(map.cells);
+  return (static_cast<std::size_t>(i) * n + static_cast<std::size_t>(j)) * n +
+         static_cast<std::size_t>(k);
 }
 
 }  // namespace
 
 void fillDensity(std::span<const glm::vec3> points, const LightSpace& light, LiteralMap& map) {
-  const auto cellCount = static_cast<std::size_t>(map.cells * map.cells * map.cells);
+  const auto n = static_cast<std::size_t>(map.cells), cellCount = n * n * n;
   map.density.assign(cellCount, 0.0f);
   map.transmittance.resize(cellCount);
   if (points.empty()) return;

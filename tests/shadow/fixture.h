@@ -72,4 +72,20 @@ inline double total(const DensityMap& map) {
   return sum * static_cast<double>(map.quantum);
 }
 
+inline constexpr Deposit kDeposits[] = {Deposit::Points, Deposit::Segments, Deposit::Trilinear};
+inline constexpr Filter kFilters[] = {Filter::None, Filter::Paper, Filter::Centred};
+
+/// Light along +x with y, z as they are: cells are easy to name.
+inline LightSpace alongX(glm::dvec3 origin = glm::dvec3(0)) {
+  LightSpace light;
+  light.origin = origin;
+  return light;
+}
+
+inline StrandSet oneStrand(std::vector<glm::vec3> points) {
+  StrandSet strands;
+  strands.append(points);
+  return strands;
+}
+
 }  // namespace hair::test
