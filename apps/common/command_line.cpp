@@ -102,6 +102,15 @@ void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, i
       ->check(CLI::Range(0.0f, 60.0f));
 }
 
+void addResultOptions(CLI::App& command, ResultFiles& results) {
+  command.add_option("--profile", results.profile, "times by stage, CSV")->check(endsWith(".csv"));
+  command
+      .add_option("--stats", results.stats,
+                  "stretch, penetration, energy and speed of every frame, CSV")
+      ->check(endsWith(".csv"));
+  command.add_flag("--hash", results.hash, "last line: `hash` and 16 digits over the state's bits");
+}
+
 int runReporting(const char* program, const std::function<int()>& body) {
   try {
     return body();

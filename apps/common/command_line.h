@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <apps/common/performance.h>
+#include <apps/common/results.h>
 #include <apps/common/subject.h>
 
 namespace hair {
@@ -19,6 +20,9 @@ void addSubjectOptions(CLI::App& command, SubjectOptions& subject);
 
 /// --fps, --cells, --light, --wind, --no-shadow, --no-self-collision, --settle, --threads
 void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, int& threads);
+
+/// --profile, --stats, --hash
+void addResultOptions(CLI::App& command, ResultFiles& results);
 
 /// Checks the end of a file's name.
 inline auto endsWith(std::string ending) {

@@ -36,14 +36,15 @@ struct Subject {
   Subject(const Subject&) = delete;  // Hair keeps references into it
   Subject& operator=(const Subject&) = delete;
 
+  std::vector<std::string>
+      notes;  ///< what was assumed, dropped or repaired; filled while the rest is
   Head head;  ///< head space
   std::unique_ptr<MeshSdf> headCollider;
   Groom groom;
   Motion motion;
   BodyMesh body;
   KajiyaKaySettings look;
-  float longestStrand = 0;         ///< metres
-  std::vector<std::string> notes;  ///< what was assumed, dropped or repaired, for the user
+  float longestStrand = 0;  ///< metres
 };
 
 }  // namespace hair

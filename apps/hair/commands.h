@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include <apps/common/performance.h>
+#include <apps/common/results.h>
+#include <apps/common/staging.h>
 #include <libhair/files/strand_file.h>
 
 namespace hair {
@@ -34,12 +36,25 @@ struct SimulateOptions {
   SubjectOptions subject;
   PerformanceOptions performance;
   int frames = 120;
-  int threads = 0;                ///< 0: as many as the machine has
-  std::filesystem::path out;      ///< .hair; one file a frame, numbered before the extension
-  std::filesystem::path profile;  ///< CSV: stage,items,ms_median,ms_p95
-  std::filesystem::path stats;    ///< CSV, one row a frame (StatsLog)
-  bool hash = false;              ///< last line: `hash` and 16 hexadecimal digits
+  int threads = 0;            ///< 0: as many as the machine has
+  std::filesystem::path out;  ///< .hair; one file a frame, numbered before the extension
+  ResultFiles results;
 };
 void runSimulate(const SimulateOptions& options);
+
+/// hair render
+struct RenderOptions {
+  SubjectOptions subject;
+  PerformanceOptions performance;
+  int frames = 0;  ///< simulated before the picture is taken
+  int threads = 0;
+  float yaw = 30, pitch = 3;  ///< degrees from straight before the face
+  float distance = 0.95f;     ///< metres
+  int width = 960, height = 960;
+  bool sideBySide = false;  ///< left half without self-shadow
+  InternalsShown shown;
+  std::filesystem::path out;  ///< .png or .exr
+};
+void runRender(const RenderOptions& options);
 
 }  // namespace hair

@@ -70,20 +70,46 @@ void addSimulate(CLI::App& app, Run& run) {
       ->add_option("--out", options->out,
                    "strands of every frame: out.hair becomes out.0000.hair, out.0001.hair ...")
       ->check(endsWith(".hair"));
-  command->add_option("--profile", options->profile, "times by stage, CSV")
-      ->check(endsWith(".csv"));
-  command
-      ->add_option("--stats", options->stats,
-                   "stretch, penetration, energy and speed of every frame, CSV")
-      ->check(endsWith(".csv"));
-  command->add_flag("--hash", options->hash,
-                    "last line: `hash` and 16 digits over the state's bits");
+  addResultOptions(*command, options->results);
   command->footer(
       "Examples:\n"
       "  hair simulate --style smooth --frames 600 --hash\n"
       "  hair simulate --hair sintel.tfx --head sintel.obj --motion dance.bvh --out sintel.hair\n"
       "  hair simulate --style curly --profile times.csv --stats stats.csv");
   command->callback([options, &run] { run = [options] { runSimulate(*options); }; });
+}
+
+void addRender(CLI::App& app, Run& run) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Draw one picture of hair under any light");
+  addSubjectOptions(*command, options->subject);
+  addPerformanceOptions(*command, options->performance, options->threads);
+  command->add_option("--out", options->out, "the picture, .png or .exr")->required();
+  command
+      ->add_option("--frames", options->frames,
+                   "frames of the motion before the picture; default 0")
+      ->check(CLI::Range(0, 10'000'000));
+  command->add_option("--yaw", options->yaw,
+                      "degrees about the head, 0: before the face; default 30");
+  command->add_option("--pitch", options->pitch, "degrees from above; default 3")
+      ->check(CLI::Range(-89.0f, 89.0f));
+  command->add_option("--distance", options->distance, "metres; default 0.95")
+      ->check(CLI::Range(0.05f, 100.0f));
+  command->add_option("--width", options->width, "pixels; default 960")
+      ->check(CLI::Range(16, 16384));
+  command->add_option("--height", options->height, "pixels; default 960")
+      ->check(CLI::Range(16, 16384));
+  command->add_flag("--side-by-side", options->sideBySide, "left half without self-shadowing");
+  command->add_flag("--show-guides", options->shown.guides, "draw the simulated strands");
+  command->add_flag("--show-colliders", options->shown.colliders, "draw the body's capsules");
+  command->add_flag("--show-cells", options->shown.cells,
+                    "draw the occupied cells by transmittance");
+  command->footer(
+      "Examples:\n"
+      "  hair render --style smooth --out smooth.png --side-by-side --width 1600 --height 800\n"
+      "  hair render --hair sintel.tfx --head sintel.obj --light 0.5,-0.8,-0.35 --out sintel.png\n"
+      "  hair render --style curly --motion dance.bvh --frames 300 --out frame300.exr");
+  command->callback([options, &run] { run = [options] { runRender(*options); }; });
 }
 
 int program(int argc, char** argv) {
@@ -96,6 +122,7 @@ int program(int argc, char** argv) {
   addInfo(app, run);
   addConvert(app, run);
   addSimulate(app, run);
+  addRender(app, run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

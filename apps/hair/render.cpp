@@ -1,6 +1,7 @@
 #include <iostream>
 
-#include <apps/common/picture.h>
+#include <apps/common/progress.h>
+#include <apps/common/staging.h>
 #include <apps/draw/gl_context.h>
 #include <apps/draw/image.h>
 #include <apps/hair/commands.h>
@@ -10,18 +11,25 @@ namespace hair {
 
 void runRender(const RenderOptions& options) {
   const ThreadLimit limit(options.threads);
-  SubjectOptions still = options.subject;
-  still.still = still.motion.empty();
-  const Subject subject(still);
+  SubjectOptions posed = options.subject;
+  // A picture without motion is of the groom as it is.
+  posed.still = posed.still || posed.motion.empty();
+  const Subject subject(posed);
   for (const std::string& note : subject.notes) std::cerr << note << '\n';
   Performance performance(subject, options.performance);
-  for (int f = 0; f < options.frames; ++f) performance.step();
-  draw::OffscreenContext context;
+  Progress progress("simulate", options.frames);
+  for (int f = 0; f < options.frames; ++f) {
+    performance.step();
+    progress.step();
+  }
+  progress.finish();
+  const draw::OffscreenContext context;
   draw::Renderer renderer;
-  Stagecraft stage(performance);
-  stage.frameHead(options.yaw, options.pitch, options.distance);
-  stage.sideBySide = options.sideBySide;
-  renderer.draw(stage.scene(), options.width, options.height);
+  Staging staging(performance);
+  staging.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
+  staging.scene.sideBySide = options.sideBySide;
+  staging.shown = options.shown;
+  renderer.draw(staging.update(renderer), options.width, options.height);
   draw::writeImage(renderer.read(), options.out);
 }
 

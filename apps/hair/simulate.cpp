@@ -1,11 +1,9 @@
-#include <fstream>
 #include <iostream>
 
 #include <apps/common/progress.h>
 #include <apps/hair/commands.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/files/atomic_write.h>
 
 namespace hair {
 
@@ -27,26 +25,19 @@ void runSimulate(const SimulateOptions& options) {
   for (const std::string& note : subject.notes) std::cerr << note << '\n';
   PerformanceOptions performing = options.performance;
   // Shadows are work only for those who look at their times.
-  performing.shadow = performing.shadow && !options.profile.empty();
+  performing.shadow = performing.shadow && !options.results.profile.empty();
   Performance performance(subject, performing);
   performance.settings.shade = performing.shadow;
   StatsLog stats;
   Progress progress("simulate", options.frames);
   for (int f = 0; f < options.frames; ++f) {
     performance.step();
-    if (!options.stats.empty()) stats.add(performance);
+    if (!options.results.stats.empty()) stats.add(performance);
     if (!options.out.empty()) writeStrands(numbered(options.out, f), performance.hair.strands());
     progress.step();
   }
   progress.finish();
-  if (!options.profile.empty())
-    writeAtomically(options.profile, [&](std::ostream& out) { performance.log.writeCsv(out); });
-  if (!options.stats.empty())
-    writeAtomically(options.stats, [&](std::ostream& out) { out << stats.csv(); });
-  std::cout << options.frames << " frames, " << performance.hair.strands().strandCount()
-            << " strands, " << performance.log.milliseconds(Stage::Motion, Stage::Draw, 0.5)
-            << " ms a frame (median)\n";
-  if (options.hash) std::cout << "hash " << stateHash(performance.hair) << '\n';
+  writeResults(options.results, performance, stats);
 }
 
 }  // namespace hair

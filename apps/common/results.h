@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include <apps/common/performance.h>
+
+namespace hair {
+
+/// Where the figures of a run go; the options --profile, --stats and --hash of every program.
+struct ResultFiles {
+  std::filesystem::path profile;  ///< CSV: stage,items,ms_median,ms_p95
+  std::filesystem::path stats;    ///< CSV, one row a frame (StatsLog)
+  bool hash = false;              ///< last line: `hash` and 16 hexadecimal digits
+};
+
+/// Writes what was asked for, prints the median time of a frame, and the hash last.
+void writeResults(const ResultFiles& files, const Performance& performance, const StatsLog& stats);
+
+}  // namespace hair

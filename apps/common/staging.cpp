@@ -1,0 +1,153 @@
+#include <apps/common/staging.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <libhair/shade/kajiya_kay.h>
+#include <libhair/shadow/filter.h>
+
+namespace hair {
+
+namespace {
+
+// Drawn wider than a hair, as each strand stands for many; but never so wide that it looks it.
+float drawnWidth(const Groom& groom) {
+  return std::clamp(groom.fibre.width * std::sqrt(groom.fibre.hairsPerStrand), 1e-4f, 3.5e-4f);
+}
+
+// The middle of the head's upper part, head space.
+glm::vec3 skull(const Subject& subject) {
+  const Bounds box = bounds(subject.head.mesh.positions);
+  return {0, box.upper.y - 0.11f, 0};
+}
+
+glm::mat4 matrixOf(const RigidTransform& t) {
+  glm::mat4 m = glm::mat4_cast(t.rotation);
+  m[3] = glm::vec4(t.translation, 1);
+  return m;
+}
+
+// Scalp colour by how close roots are: hides the skin between strands, as real scalp in shade.
+std::vector<glm::vec3> darkenedScalp(const Subject& subject) {
+  const TriangleMesh& mesh = subject.head.mesh;
+  std::vector<float> nearest(mesh.positions.size(), 1);
+  const Groom& groom = subject.groom;
+  for (std::size_t g = 0; g < groom.guideCount(); ++g) {
+    const glm::vec3 root = groom.guide(g)[0];
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+      nearest[v] = std::min(nearest[v], glm::distance(mesh.positions[v], root));
+  }
+  std::vector<glm::vec3> colours;
+  for (float d : nearest) {
+    const float bare = glm::smoothstep(0.008f, 0.018f, d);
+    colours.push_back(glm::mix(glm::vec3(0.30f, 0.24f, 0.21f), glm::vec3(1), bare));
+  }
+  return colours;
+}
+
+}  // namespace
+
+Staging::Staging(Performance& performance)
+    : performance_(performance), scalp_(darkenedScalp(performance.subject)) {
+  const Subject& subject = performance.subject;
+  scene.light.direction = performance.settings.light.direction;
+  headBefore_ = performance.pose.worldFromHead.point(skull(subject));
+  float lowest = 1e3f;
+  for (const Capsule& c : performance.pose.capsules)
+    lowest = std::min({lowest, c.a.y - c.radius, c.b.y - c.radius});
+  scene.ground.height = performance.pose.capsules.empty() ? headBefore_.y - 1.5f : lowest;
+  scene.meshes.resize(2);
+  scene.meshes[0].mesh = &subject.head.mesh;
+  scene.meshes[0].vertexColours = scalp_;
+  scene.meshes[1].mesh = &body_;
+  scene.meshes[1].colour = {0.16f, 0.18f, 0.22f};  // dressed
+  scene.meshes[1].roughness = 0.8f;
+  scene.hair.resize(1);
+  frameHead(0.5f, 0.05f, 0.95f);
+}
+
+void Staging::frameHead(float yaw, float pitch, float distance) {
+  const glm::vec3 facing = performance_.pose.worldFromHead.vector({0, 0, 1});
+  scene.camera.target = headBefore_ =
+      performance_.pose.worldFromHead.point(skull(performance_.subject));
+  scene.camera.target.y -= 0.08f;  // the hair hangs below the skull
+  scene.camera.distance = distance;
+  scene.camera.yaw = std::atan2(facing.x, facing.z) + yaw;
+  scene.camera.pitch = pitch;
+}
+
+void Staging::updateMeshes() {
+  const Subject& subject = performance_.subject;
+  scene.meshes[0].worldFromMesh = matrixOf(performance_.pose.worldFromHead);
+  subject.body.skin(performance_.pose.worldFromJoint, body_);
+}
+
+void Staging::updateHair(draw::Renderer& renderer) {
+  const Groom& groom = performance_.subject.groom;
+  Hair& hair = performance_.hair;
+  FrameSettings& settings = performance_.settings;
+  settings.light.eye = scene.camera.eye();
+  hair.visibility.resize(headShadowsHair ? hair.wisps.points.size() : 0);
+  draw::HairLayer& layer = scene.hair[0];
+  layer.strands = hair.strands();
+  layer.colours = hair.colours;
+  layer.width = drawnWidth(groom);
+  layer.opacity = 0.9f;
+  layer.shadowWidth = groom.fibre.width * groom.fibre.opacity * groom.fibre.hairsPerStrand;
+  if (headShadowsHair) renderer.meshVisibility(scene, hair.wisps.points, hair.visibility);
+  if (scene.light.direction != settings.light.direction) {
+    settings.light.direction = glm::normalize(scene.light.direction);
+    performance_.relight();
+  } else {
+    shadeKajiyaKay(hair.strands(), hair.transmittance, hair.visibility, settings.light,
+                   settings.look, hair.colours);
+  }
+  if (scene.sideBySide) {
+    unshadowed_.resize(hair.colours.size());
+    shadeKajiyaKay(hair.strands(), {}, hair.visibility, settings.light, settings.look, unshadowed_);
+  }
+  layer.colours = hair.colours;
+  layer.leftColours = unshadowed_;
+}
+
+void Staging::updateInternals() {
+  scene.debug.clear();
+  const Hair& hair = performance_.hair;
+  if (shown.guides) {
+    StrandSet guides;
+    guides.points.resize(hair.guides.guideCount() * hair.guides.pointsPerGuide());
+    hair.guides.copyPoints(guides.points);
+    for (std::size_t g = 1; g <= hair.guides.guideCount(); ++g)
+      guides.first.push_back(static_cast<std::uint32_t>(g * hair.guides.pointsPerGuide()));
+    scene.debug.strands(guides, draw::packColour({1.0f, 0.85f, 0.2f, 0.9f}));
+  }
+  if (shown.colliders)
+    for (const Capsule& c : performance_.pose.capsules)
+      scene.debug.capsule(c, draw::packColour({0.2f, 0.7f, 1.0f, 0.8f}));
+  if (shown.cells && !hair.map.empty()) {
+    const DensityMap& map = hair.map;
+    for (int i = map.lower.x; i <= map.upper.x; ++i)
+      for (int k = map.lower.z; k <= map.upper.z; ++k)
+        for (int j = map.lower.y; j <= map.upper.y; ++j) {
+          const glm::ivec3 cell(i, j, k);
+          if (map.density(cell) <= 0) continue;
+          const glm::vec3 centre = map.cellCentre(cell);
+          float t = 0;
+          sampleTransmittance(map, {&centre, 1}, {&t, 1});
+          scene.debug.points.push_back(
+              {centre, draw::packColour({t, 0.25f + 0.5f * t, 1 - t, 0.8f})});
+        }
+  }
+}
+
+const draw::Scene& Staging::update(draw::Renderer& renderer) {
+  const glm::vec3 head = performance_.pose.worldFromHead.point(skull(performance_.subject));
+  if (follow) scene.camera.target += head - headBefore_;
+  headBefore_ = head;
+  updateMeshes();
+  updateHair(renderer);
+  updateInternals();
+  return scene;
+}
+
+}  // namespace hair

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include <apps/common/performance.h>
+#include <apps/draw/renderer.h>
+#include <apps/draw/scene.h>
+
+namespace hair {
+
+/// What of the simulation's inside is drawn over the picture.
+struct InternalsShown {
+  bool guides = false;
+  bool colliders = false;
+  bool cells = false;  ///< occupied cells of the light's map, coloured by transmittance
+};
+
+/// Puts a performance on a stage: head, body and hair as layers of a scene, the hair shaded for the
+/// scene's camera and light, with the meshes' shadow on it.
+class Staging {
+ public:
+  explicit Staging(Performance& performance);
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+
+  /// Sees the head from `yaw`, `pitch` (radians, 0: from in front of the first pose) at `distance`
+  /// metres; the camera then goes with the head (`follow`), but does not turn with it.
+  void frameHead(float yaw, float pitch, float distance);
+
+  /// Brings the scene up to date with the performance and shades it. `renderer` makes the shadow
+  /// of head and body on the hair.
+  const draw::Scene& update(draw::Renderer& renderer);
+
+  draw::Scene scene;  ///< camera, light and ground may be changed between updates
+  InternalsShown shown;
+  bool follow = true;
+  bool headShadowsHair = true;
+
+ private:
+  void updateMeshes();
+  void updateHair(draw::Renderer& renderer);
+  void updateInternals();
+
+  Performance& performance_;
+  TriangleMesh body_;
+  std::vector<glm::vec3> scalp_;           ///< [head vertexCount], darker under the hair
+  std::vector<std::uint32_t> unshadowed_;  ///< colours of the left half, side by side
+  glm::vec3 headBefore_;
+};
+
+}  // namespace hair

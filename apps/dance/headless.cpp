@@ -1,0 +1,73 @@
+#include <cmath>
+#include <iostream>
+#include <optional>
+#include <vector>
+
+#include <apps/common/progress.h>
+#include <apps/common/results.h>
+#include <apps/dance/dance.h>
+#include <apps/draw/gl_context.h>
+#include <apps/draw/image.h>
+#include <apps/draw/video.h>
+#include <libhair/core/error.h>
+
+namespace hair {
+
+namespace {
+
+constexpr int kSheetColumns = 4, kSheetRows = 4;
+
+}  // namespace
+
+int runHeadless(const DanceOptions& options) {
+  const draw::OffscreenContext context;
+  draw::Renderer renderer;
+  const Subject subject(options.subject);
+  for (const std::string& note : subject.notes) std::cerr << note << '\n';
+  Performance performance(subject, options.performance);
+  Staging staging(performance);
+  staging.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
+  staging.scene.sideBySide = options.sideBySide;
+
+  const double fps = options.performance.fps;
+  const double seconds = subject.motion.duration() > 0 ? subject.motion.duration() : 5;
+  const int frames =
+      options.frames > 0 ? options.frames : static_cast<int>(std::lround(seconds * fps));
+  // Every so many simulated frames there is a picture.
+  const int stride = std::max(1, static_cast<int>(std::lround(fps / options.videoFps)));
+  const int pictures = (frames + stride - 1) / stride;
+  const int tiles = kSheetColumns * kSheetRows;
+
+  draw::VideoWriter video(options.out, options.width, options.height, fps / stride);
+  std::vector<draw::Picture> sheet;
+  draw::Picture picture;
+  StatsLog stats;
+  Progress progress("dance", frames);
+  for (int f = 0; f < frames; ++f) {
+    performance.step();
+    if (!options.results.stats.empty()) stats.add(performance);
+    if (f % stride == 0) {
+      renderer.draw(staging.update(renderer), options.width, options.height);
+      renderer.read(picture);
+      video.add(picture);
+      // Tile t of the sheet is the picture nearest to t / tiles of the whole.
+      const auto tile = static_cast<int>(sheet.size());
+      if (tile < tiles && f / stride >= tile * pictures / tiles)
+        sheet.push_back(draw::downscaled(picture, options.width / 2, options.height / 2));
+    }
+    progress.step();
+  }
+  progress.finish();
+  video.finish();
+  std::filesystem::path sheetFile = options.out;
+  sheetFile.replace_extension(".png");
+  draw::writeImage(
+      draw::contactSheet(sheet, std::min<int>(kSheetColumns, static_cast<int>(sheet.size()))),
+      sheetFile);
+  std::cout << options.out.string() << " and " << sheetFile.string() << ": " << pictures
+            << " pictures of " << frames << " frames\n";
+  writeResults(options.results, performance, stats);
+  return 0;
+}
+
+}  // namespace hair
