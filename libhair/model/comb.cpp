@@ -149,7 +149,6 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
         const float push = std::max(std::min(clearance - now.w, 0.35f * kStep), least - now.w);
         p += push * glm::vec3(now);
       }
-      p = outOfFace(p);
     }
     growth.points.push_back(p);
     growth.length = s;

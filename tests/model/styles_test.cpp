@@ -117,6 +117,15 @@ TEST(Styles, DrawnHairStaysOutOfTheHeadAndOffTheFace) {
     }
 }
 
+TEST(Styles, WideCurlsHangBesideTheFace) {
+  StyleSettings settings = styleSettings(Style::Curly);
+  settings.curlRadius = 0.014f;
+  settings.seed = 3;
+  const Groom groom = makeGroom(settings, grown().sdf);
+  for (std::size_t s = 0; s < groom.strandCount(); ++s)
+    for (glm::vec3 p : drawn(groom, s)) ASSERT_FALSE(hidesFace(p, 58)) << s;
+}
+
 TEST(Styles, EveryStrandHasARootWithinItsWispAndWeightsOfSumOne) {
   for (const Groom& groom : grown().grooms)
     for (std::size_t s = 0; s < groom.strandCount(); ++s) {
