@@ -13,7 +13,7 @@ namespace {
 constexpr float kStep = 0.002f;  // metres that a guide grows at a time
 constexpr float kPi = std::numbers::pi_v<float>;
 
-enum Use : std::uint32_t { Length = 0x200, WavePhase, WaveLength, Lie, Cut, Part, PartingSide };
+enum Use : std::uint16_t { Length = 0x200, WavePhase, WaveLength, Lie, Cut, Part, PartingSide };
 
 // What hair falls on below the head: neck, shoulders, chest and back of somebody standing straight
 // with hanging arms, with the capsules that the motion stage gives such a body (fitCapsules), and
@@ -106,7 +106,9 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
   glm::vec3 direction =
       glm::normalize(combDirection(parting, root, rootNormal, 0) + settings.rootLift * rootNormal);
   Growth growth{{root}, 0};
-  for (float s = kStep; s <= limit; s += kStep) {
+  const int steps = static_cast<int>(limit / kStep);
+  for (int step = 1; step <= steps; ++step) {
+    const float s = kStep * static_cast<float>(step);
     const glm::vec4 here = bodyDistance(headSdf, p);
     const glm::vec3 n(here);
     const float clearance =
@@ -147,7 +149,6 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
         const float push = std::max(std::min(clearance - now.w, 0.35f * kStep), least - now.w);
         p += push * glm::vec3(now);
       }
-      p = outOfFace(p);
     }
     growth.points.push_back(p);
     growth.length = s;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 
-enum Use : std::uint32_t {
+enum Use : std::uint16_t {
   HasTip = 0x400,
   HasWhole,
   DeviationAngle,

@@ -125,7 +125,7 @@ HeadFit fitHeadToRoots(std::span<const glm::vec3> hairRoots) {
       for (std::size_t r = 0; r < 6; ++r)
         for (std::size_t k = 0; k < 7; ++k) m[r][k] += weight * row[r] * row[k];
       for (int axis = 0; axis < 3; ++axis) {
-        const auto r = static_cast<std::size_t>(3 + axis);
+        const auto r = 3 + static_cast<std::size_t>(axis);
         m[r][r] += pull;
         m[r][6] -= pull * (now.scale[axis] - ratio);
       }

@@ -14,7 +14,7 @@ namespace {
 constexpr double kCrownDensity = 0.3;  // 1.4 times the mean there, 0.8 times at the sides
 constexpr glm::vec3 kSkullMiddle(0, 0.1f, -0.005f);
 
-enum Use : std::uint32_t { JitterAlong = 0x100, JitterAcross, Thin, FirstCentre };
+enum Use : std::uint16_t { JitterAlong = 0x100, JitterAcross, Thin, FirstCentre };
 
 // Cells are measured where both sides of the parting are pulled apart, so that none spans it.
 glm::vec3 pulledApart(const Parting& parting, glm::vec3 p) {

@@ -9,7 +9,7 @@
 
 namespace hair {
 
-enum class Style {
+enum class Style : std::uint8_t {
   Smooth,  ///< brown hair to the shoulders (Bertails et al. 2005, figures 1 and 9)
   Curly,   ///< the same wisps, wound into locks
   Long,    ///< smooth, to the waist

@@ -38,6 +38,11 @@ std::vector<glm::vec3> drawn(const Groom& groom, std::size_t s) {
   return points;
 }
 
+// Between chin and brow, nearer than `degrees` to straight ahead.
+bool hidesFace(glm::vec3 p, float degrees) {
+  return p.y > -0.02f && p.y < 0.11f && std::atan2(std::abs(p.x), p.z) < glm::radians(degrees);
+}
+
 std::uint64_t hash(const Groom& groom) {
   StateHash h;
   const auto add = [&](const auto& v) {
@@ -79,9 +84,7 @@ TEST(Styles, GuidesKeepClearOfTheHeadAndTheFace) {
       EXPECT_GE(scalpMask(p[0]), 0.25f);
       for (std::size_t i = 1; i < p.size(); ++i) {
         ASSERT_GE(grown().sdf.distance(p[i]), kGuideClearance) << g << " " << i;
-        // Eyes, nose and mouth are free.
-        const bool inFront = std::abs(p[i].x) < 0.055f && p[i].z > 0 && p[i].y < 0.13f;
-        ASSERT_FALSE(inFront && p[i].y > -0.03f) << g << " " << i;
+        ASSERT_FALSE(hidesFace(p[i], 60)) << g << " " << i;
       }
     }
 }
@@ -109,10 +112,18 @@ TEST(Styles, DrawnHairStaysOutOfTheHeadAndOffTheFace) {
         if (k > 0) {
           ASSERT_GE(grown().sdf.distance(0.5f * (p[k - 1] + p[k])), -1e-3f);
         }
-        ASSERT_FALSE(std::abs(p[k].x) < 0.05f && p[k].z > 0 && p[k].y < 0.12f && p[k].y > -0.02f)
-            << s << " " << k;
+        ASSERT_FALSE(hidesFace(p[k], 58)) << s << " " << k;
       }
     }
+}
+
+TEST(Styles, WideCurlsHangBesideTheFace) {
+  StyleSettings settings = styleSettings(Style::Curly);
+  settings.curlRadius = 0.014f;
+  settings.seed = 3;
+  const Groom groom = makeGroom(settings, grown().sdf);
+  for (std::size_t s = 0; s < groom.strandCount(); ++s)
+    for (glm::vec3 p : drawn(groom, s)) ASSERT_FALSE(hidesFace(p, 58)) << s;
 }
 
 TEST(Styles, EveryStrandHasARootWithinItsWispAndWeightsOfSumOne) {
