@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include <libhair/motion/dance_curves.h>
 #include <libhair/motion/dance_score.h>
 #include <libhair/motion/rotations.h>
 
@@ -16,10 +17,14 @@
 namespace hair {
 namespace {
 
+using score::beatOf;
+using score::Curve;
 using score::kBeats;
+using score::kFrames;
 using score::kSeconds;
+using score::smoothed;
+using score::throughKeys;
 
-constexpr std::size_t kFrames = 1800;  ///< of one round, 120 a second
 constexpr float kPi = 3.14159265f;
 constexpr float kRound = 720.0f;  ///< degrees that the dancer has turned when the round is over
 
@@ -66,60 +71,6 @@ glm::quat bent(float forward, float right, float left) {
 /// Shortest rotation from one unit vector to another; not for opposite ones.
 glm::quat arc(glm::vec3 from, glm::vec3 to) {
   return glm::normalize(glm::quat(1.0f + glm::dot(from, to), glm::cross(from, to)));
-}
-
-using Curve = std::vector<float>;  ///< [kFrames], one round
-
-double beatOf(std::size_t frame) {
-  return static_cast<double>(frame) * kBeats / kFrames;
-}
-
-/// Monotone cubic through the keys (Fritsch and Carlson 1980, harmonic mean of slopes), round and
-/// round; each round adds `gain`.
-template <class Keys, class Value>
-Curve throughKeys(const Keys& keys, const Value& value, float gain) {
-  const auto count = static_cast<std::ptrdiff_t>(keys.size());
-  const auto at = [&](std::ptrdiff_t k) {
-    const std::ptrdiff_t round = k < 0 ? -1 : k / count;
-    const auto& key = keys[static_cast<std::size_t>(k - round * count)];
-    return glm::dvec2(key.beat + kBeats * static_cast<double>(round),
-                      value(key) + gain * static_cast<float>(round));
-  };
-  const auto slope = [&](std::ptrdiff_t k) {
-    const glm::dvec2 a = at(k) - at(k - 1), b = at(k + 1) - at(k);
-    const double sa = a.y / a.x, sb = b.y / b.x;
-    return sa * sb <= 0 ? 0.0 : 2.0 * sa * sb / (sa + sb);
-  };
-  Curve curve(kFrames);
-  std::ptrdiff_t k = 0;  // the keys around a frame: k, k + 1
-  for (std::size_t f = 0; f < kFrames; ++f) {
-    const double beat = beatOf(f);
-    while (k + 1 < count && at(k + 1).x <= beat) ++k;
-    while (at(k).x > beat) --k;
-    const glm::dvec2 a = at(k), b = at(k + 1);
-    const double h = b.x - a.x, t = (beat - a.x) / h, u = 1.0 - t;
-    curve[f] = static_cast<float>(u * u * (1.0 + 2.0 * t) * a.y + t * t * (3.0 - 2.0 * t) * b.y +
-                                  h * t * u * (u * slope(k) - t * slope(k + 1)));
-  }
-  return curve;
-}
-
-/// Mean over ±`reach` frames, weights (1 + cos), round and round.
-Curve smoothed(const Curve& in, float gain = 0.0f, int reach = 11) {
-  Curve out(kFrames);
-  for (std::size_t f = 0; f < kFrames; ++f) {
-    double sum = 0, weights = 0;
-    for (int d = -reach; d <= reach; ++d) {
-      const double w = 1.0 + std::cos(kPi * static_cast<float>(d) / static_cast<float>(reach + 1));
-      const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(f) + d;
-      constexpr auto n = static_cast<std::ptrdiff_t>(kFrames);
-      const std::ptrdiff_t round = i < 0 ? -1 : i / n;
-      sum += w * (in[static_cast<std::size_t>(i - round * n)] + gain * static_cast<float>(round));
-      weights += w;
-    }
-    out[f] = static_cast<float>(sum / weights);
-  }
-  return out;
 }
 
 Curve curveOf(std::span<const score::Key> keys, float gain = 0.0f) {
