@@ -258,11 +258,13 @@ BodyMesh::BodyMesh(const Body& body, float cell) {
 
     const float knee = glm::distance(m.hip[side], m.knee[side]);
     const float ankle = knee + glm::distance(m.knee[side], m.ankle[side]);
-    const std::array leg = {m.hip[side], m.knee[side], m.ankle[side], m.ball[side]};
-    const std::array<Link, 4> legChain = {{{map.hips, -1e9f, 1.0f},
+    const float ball = ankle + glm::distance(m.ankle[side], m.ball[side]);
+    const std::array leg = {m.hip[side], m.knee[side], m.ankle[side], m.ball[side], m.toe[side]};
+    const std::array<Link, 5> legChain = {{{map.hips, -1e9f, 1.0f},
                                            {map.thigh[side], -0.01f * s, 0.05f * s},
                                            {map.shin[side], knee, 0.06f * s},
-                                           {map.foot[side], ankle, 0.035f * s}}};
+                                           {map.foot[side], ankle, 0.035f * s},
+                                           {m.toes[side], ball, 0.02f * s}}};
     limb(legFlesh(m, side), 0.03f * s, cell, leg, legChain);
   }
 }

@@ -108,11 +108,16 @@ class StanceFromClip {
       const glm::vec3 knee2 = bend(map_.shin[s], map_.thigh[s], map_.shin[s], map_.foot[s]);
       limb(map_.thigh[s], offset(map_.shin[s]), -kUp, left, knee);
       limb(map_.shin[s], offset(map_.foot[s]), -kUp, left, knee2);
-      // A foot stands on the floor most of the time.
-      const glm::vec3 up = meanInJoint(clip_, map_.foot[s], [](auto) { return kUp; });
-      const glm::vec3 toes = bonesOf(map_.foot[s]);
-      set(map_.foot[s], up,
-          glm::length(toes) > 0 ? toes : meanInJoint(clip_, map_.foot[s], facing));
+      // A foot and its toes stand on the floor most of the time.
+      int toes = -1;
+      for (std::size_t j = skeleton.jointCount(); j-- > 0;)
+        if (skeleton.parents[j] == map_.foot[s]) toes = static_cast<int>(j);
+      for (int joint : {map_.foot[s], toes}) {
+        if (joint < 0) continue;
+        const glm::vec3 up = meanInJoint(clip_, joint, [](auto) { return kUp; });
+        const glm::vec3 bone = bonesOf(joint);
+        set(joint, up, glm::length(bone) > 0 ? bone : meanInJoint(clip_, joint, facing));
+      }
     }
     chain();
   }
@@ -223,7 +228,7 @@ Body makeBody(const Clip& clip) {
   const std::size_t head = index(body.map.head);
   body.rest = zeroPose(body.skeleton);
   if (!body.map.complete()) {
-    body.notes.push_back(
+    body.notes.emplace_back(
         "body: hips, neck, arms or legs were not found by name; head taken upright as in the mean "
         "of the clip, one capsule a bone");
     const glm::vec3 up = snapped(meanInJoint(clip, body.map.head, [](auto) { return kUp; }));
@@ -237,7 +242,7 @@ Body makeBody(const Clip& clip) {
     const glm::quat turn = glm::conjugate(rotationFromUpFront(kUp, facing));
     for (RigidTransform& joint : body.rest) joint = RigidTransform{turn, glm::vec3(0)} * joint;
   } else {
-    body.notes.push_back("body: the zero pose does not stand; joint axes learnt from the clip");
+    body.notes.emplace_back("body: the zero pose does not stand; joint axes learnt from the clip");
     StanceFromClip(clip, body).find();
   }
   centre(body);

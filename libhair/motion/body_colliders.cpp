@@ -100,7 +100,8 @@ void fitLimbs(const Body& body, const Landmarks& m, Fitter& fit) {
     const glm::vec3 calf = glm::mix(knee, ankle, 0.4f) - glm::vec3(0, 0, 0.012f * s);
     fit.add(shin, knee, calf, 0.057f * s);
     fit.add(shin, calf, ankle, 0.047f * s);
-    fit.add(body.map.foot[side], m.heel[side], m.toe[side], 0.042f * s);
+    fit.add(body.map.foot[side], m.heel[side], m.ball[side], 0.038f * s);
+    fit.add(m.toes[side], m.ball[side], m.toe[side], 0.03f * s);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 #include <libhair/motion/dance_curves.h>
@@ -28,7 +29,7 @@ using score::throughKeys;
 constexpr float kPi = 3.14159265f;
 constexpr float kRound = 720.0f;  ///< degrees that the dancer has turned when the round is over
 
-enum Joint : std::size_t {
+enum Joint : std::uint8_t {
   kHips,
   kSpine,
   kSpine1,

@@ -22,6 +22,7 @@ inline double beatOf(std::size_t frame) {
 /// round; each round adds `gain`.
 template <class Keys, class Value>
 Curve throughKeys(const Keys& keys, const Value& value, float gain) {
+  if (keys.empty()) return Curve(kFrames);
   const auto count = static_cast<std::ptrdiff_t>(keys.size());
   const auto at = [&](std::ptrdiff_t k) {
     const std::ptrdiff_t round = k < 0 ? -1 : k / count;

@@ -47,6 +47,10 @@ Landmarks landmarksOf(const Body& body) {
     const glm::vec3 flat(0, 0, 1);
     m.handFlat[s] = glm::normalize(flat - glm::dot(flat, along) * along);
 
+    m.toes[s] = map.foot[s];
+    for (std::size_t j = body.skeleton.jointCount(); j-- > 0;)
+      if (body.skeleton.parents[j] == map.foot[s]) m.toes[s] = static_cast<int>(j);
+
     m.hip[s] = at(map.thigh[s]);
     m.knee[s] = at(map.shin[s]);
     m.ankle[s] = at(map.foot[s]);

@@ -16,6 +16,8 @@ struct Landmarks {
   std::array<glm::vec3, 2> handFlat;  ///< unit, across the palm
   std::array<glm::vec3, 2> hip, knee, ankle, heel, ball, toe;
 
+  std::array<int, 2> toes;  ///< the joint that bends the toes; the foot itself where none
+
   /// Middle of the trunk at a height between pelvis (0) and root of the neck (1).
   glm::vec3 trunk(float t) const;
   /// Half the distance of the shoulder joints.

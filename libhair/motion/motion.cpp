@@ -1,5 +1,6 @@
 #include <libhair/motion/motion.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,6 +32,20 @@ Motion::Motion(Clip clip, const MotionSettings& settings) {
                                                            : trim(clip, droppedFrames_, last);
   if (settings.removeFlips) flips_ = hair::removeFlips(clip_, settings.flips);
   body_ = makeBody(clip_);
+
+  if (body_.capsules.empty()) return;
+  BodyPose at;
+  std::vector<float> lowest;
+  const std::size_t step = clip_.frameCount() / 300 + 1;
+  for (std::size_t f = 0; f < clip_.frameCount(); f += step) {
+    pose(static_cast<double>(f) * clip_.frameTime, at);
+    lowest.push_back(INFINITY);
+    for (const Capsule& c : at.capsules)
+      lowest.back() = std::min(lowest.back(), std::min(c.a.y, c.b.y) - c.radius);
+  }
+  const auto tenth = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 10);
+  std::nth_element(lowest.begin(), tenth, lowest.end());
+  floorHeight_ = *tenth;
 }
 
 Motion Motion::dance() {

@@ -41,6 +41,10 @@ class Motion {
   /// No allocation where `out` comes from an earlier call.
   void pose(double seconds, BodyPose& out) const;
 
+  /// Height of the floor, metres: under the lowest capsule in all but a tenth of
+  /// the frames (leaps leave the floor, spikes go through it).
+  float floorHeight() const { return floorHeight_; }
+
   const Body& body() const { return body_; }
   const Clip& clip() const { return clip_; }
   std::size_t droppedFrames() const { return droppedFrames_; }
@@ -51,6 +55,7 @@ class Motion {
   Body body_;
   std::vector<Flip> flips_;
   std::size_t droppedFrames_ = 0;
+  float floorHeight_ = 0;
   bool loop_ = false;
 };
 

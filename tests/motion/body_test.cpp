@@ -278,6 +278,22 @@ TEST(Motion, HoldsItsEndsOrGoesRound) {
   EXPECT_EQ(Motion::still().duration(), 0.0);
 }
 
+TEST(Motion, TheFloorIsUnderTheFeet) {
+  for (const auto& [name, motion] : allMotions()) {
+    int poses = 0, sunk = 0;
+    for (double t = 0; t <= motion.duration(); t += 0.05, ++poses) {
+      float lowest = 1e9f;
+      for (const Capsule& c : motion.pose(t).capsules)
+        lowest = std::min(lowest, std::min(c.a.y, c.b.y) - c.radius);
+      sunk += lowest < motion.floorHeight() - 0.005f ? 1 : 0;
+    }
+    EXPECT_LT(sunk, poses * 0.15 + 1) << name;
+    EXPECT_NEAR(motion.floorHeight(), 0.0f, 0.15f) << name;
+  }
+  EXPECT_NEAR(Motion::still().floorHeight(), 0.0f, 0.03f);
+  EXPECT_NEAR(Motion::dance().floorHeight(), 0.0f, 0.03f);
+}
+
 TEST(Motion, ABadRangeIsRefused) {
   MotionSettings settings;
   settings.firstFrame = 300;
