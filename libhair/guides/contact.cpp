@@ -65,7 +65,8 @@ NearCapsule nearCapsule(const Capsule& now, const Capsule& before, const LaneVec
                         float skin) {
   NearCapsule near{&now, &before, {}, now.radius + skin};
   for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
-    near.reach[i] = min(length(anchors[i] - footOf(now, anchors[i]).point), lanes(near.full));
+    near.reach[i] =
+        min(length(anchors[i] - footOf(now, anchors[i]).point) + 0.5f * skin, lanes(near.full));
   return near;
 }
 

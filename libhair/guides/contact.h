@@ -30,29 +30,31 @@ struct ContactPlane {
 /// the head holds for one of them (the neck does, when the head is thrown back), there is no way
 /// out: it keeps that point only as far from its axis as that place is, and the points after it
 /// farther and farther, by this share of the way along the strand.
-inline constexpr std::uint32_t kAnchoredPoints = 2;
+inline constexpr std::uint32_t kAnchoredPoints = 3;
 inline constexpr float kReachGrowth = 0.7f;
 
 /// A capsule worth looking at.
 struct NearCapsule {
   const Capsule *now, *before;
-  /// [0]: how far from its axis point 1 must keep; [1]: point 2, and the points after it that far
-  /// plus their way along the strand times kReachGrowth; at most `full`.
+  /// [i]: how far from its axis point i + 1 must keep; points after the last of them that far plus
+  /// their way along the strand times kReachGrowth; at most `full`.
   Lanes reach[kAnchoredPoints];
   float full;
 
   Lanes reachOf(std::uint32_t point, Lanes way) const {
-    return point == 1 ? reach[0] : min(reach[1] + kReachGrowth * way, lanes(full));
+    return point <= kAnchoredPoints
+               ? reach[point - 1]
+               : min(reach[kAnchoredPoints - 1] + kReachGrowth * way, lanes(full));
   }
 };
 
-/// `anchors`: where the head holds points 1 and 2 of eight strands.
+/// `anchors`: where the head holds points 1 to kAnchoredPoints of eight strands.
 NearCapsule nearCapsule(const Capsule& now, const Capsule& before, const LaneVec3* anchors,
                         float skin);
 
 /// The plane of the collider nearest to each of eight points (deepest, where inside), which are
-/// points `index` of their strands, `way` metres after point 2. A lane far from everything gets a
-/// plane that never touches.
+/// points `index` of their strands, `way` metres after the last anchored one. A lane far from
+/// everything gets a plane that never touches.
 ContactPlane nearestPlane(LaneVec3 points, std::uint32_t index, Lanes way, Lanes headClearance,
                           const ColliderState& colliders, std::span<const NearCapsule> near);
 

@@ -12,7 +12,7 @@ struct GuideSettings {
   float tipStiffness = 0.25f;       ///< fraction of it left at the tip, (0, 1]; linear between
   float airDrag = 2.0f;             ///< 1/s; speed relative to the air decays at this rate
   float friction = 0.3f;            ///< Coulomb's coefficient against colliders, >= 0
-  float skin = 2e-3f;               ///< metres that guide points keep from colliders, >= 0
+  float skin = 3e-3f;               ///< metres that guide points keep from colliders, >= 0
   glm::vec3 gravity{0, -9.81f, 0};  ///< m/s²
   float substep = 1.0f / 480.0f;  ///< seconds; a frame is cut into equal steps no longer than this
   int iterations = 3;             ///< Newton iterations of the link constraints a substep, 1 to 32
