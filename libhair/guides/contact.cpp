@@ -8,6 +8,8 @@ namespace {
 
 // Farther than anything reaches in a substep.
 constexpr float kFar = 1e3f;
+// Farther than most points go in a substep: those that do look again (stepGuides).
+constexpr float kFarFromHead = 0.01f;
 
 // Where the axis of a capsule is nearest to points: a + t · axis.
 struct Foot {
@@ -47,10 +49,14 @@ void nearerHead(LaneVec3 p, Lanes clearance, const ColliderState& colliders, Con
   for (std::size_t l = 0; l < kLanes; ++l) {
     const glm::vec3 world(p.x[l], p.y[l], p.z[l]);
     const glm::vec3 local = headFromWorld * (world - colliders.worldFromHead.translation);
-    const glm::vec4 field = colliders.head->distanceAndGradient(local);
-    const float d = field.w - clearance[l];
+    const float d = colliders.head->distance(local) - clearance[l];
     if (!(d < best.distance[l])) continue;
-    const glm::vec3 normal = worldFromHead * glm::vec3(field);
+    if (d > kFarFromHead) {
+      best.distance[l] = d;
+      best.offset[l] = -kFar;
+      continue;
+    }
+    const glm::vec3 normal = worldFromHead * glm::vec3(colliders.head->distanceAndGradient(local));
     const glm::vec3 move = world - colliders.worldFromHeadBefore.point(local);
     best.distance[l] = d;
     best.normal.x[l] = normal.x, best.normal.y[l] = normal.y, best.normal.z[l] = normal.z;

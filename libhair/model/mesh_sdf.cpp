@@ -248,9 +248,10 @@ MeshSdf::MeshSdf(const TriangleMesh& mesh, float cell, float margin)
   std::vector<std::int8_t> votes(grid.size(), 0);
   for (int axis = 0; axis < 3; ++axis) windAlong(axis, grid, triangles, votes);
 
-  values_.resize(grid.size());
-  for (std::size_t i = 0; i < values_.size(); ++i)
-    values_[i].w = std::sqrt(nearest[i].squared) * (votes[i] >= 2 ? -1.0f : 1.0f);
+  distances_.resize(grid.size());
+  gradients_.resize(grid.size());
+  for (std::size_t i = 0; i < distances_.size(); ++i)
+    distances_[i] = std::sqrt(nearest[i].squared) * (votes[i] >= 2 ? -1.0f : 1.0f);
   parallelFor(static_cast<std::size_t>(nodes_.z), 4, [&](std::size_t begin, std::size_t end) {
     glm::ivec3 i;
     for (i.z = static_cast<int>(begin); i.z < static_cast<int>(end); ++i.z)
@@ -260,32 +261,54 @@ MeshSdf::MeshSdf(const TriangleMesh& mesh, float cell, float margin)
             glm::ivec3 before = i, after = i;
             before[axis] = std::max(i[axis] - 1, 0);
             after[axis] = std::min(i[axis] + 1, nodes_[axis] - 1);
-            values_[grid.index(i)][axis] =
-                (values_[grid.index(after)].w - values_[grid.index(before)].w) /
+            gradients_[grid.index(i)][axis] =
+                (distances_[grid.index(after)] - distances_[grid.index(before)]) /
                 (cell * static_cast<float>(after[axis] - before[axis]));
           }
   });
 }
 
+namespace {
+
+// The eight nodes around a point of the box, and how to mix what they hold.
+struct NodesAround {
+  std::size_t first, dy, dz;
+  glm::vec3 t;
+
+  NodesAround(glm::vec3 q, glm::ivec3 nodes) {
+    const glm::ivec3 i = glm::min(glm::ivec3(q), nodes - 2);
+    t = q - glm::vec3(i);
+    dy = static_cast<std::size_t>(nodes.x), dz = dy * static_cast<std::size_t>(nodes.y);
+    first = static_cast<std::size_t>(i.x) + static_cast<std::size_t>(i.y) * dy +
+            static_cast<std::size_t>(i.z) * dz;
+  }
+  template <class T>
+  T mix(const std::vector<T>& values) const {
+    const T* v = values.data() + first;
+    const auto row = [&](const T* r) { return glm::mix(r[0], r[1], t.x); };
+    return glm::mix(glm::mix(row(v), row(v + dy), t.y),
+                    glm::mix(row(v + dz), row(v + dz + dy), t.y), t.z);
+  }
+};
+
+}  // namespace
+
+float MeshSdf::distance(glm::vec3 p) const {
+  const glm::vec3 inBox = glm::clamp(p, box_.lower, box_.upper);
+  if (inBox != p) return glm::distance(p, inBox) + margin_;
+  return NodesAround((p - box_.lower) / cell_, nodes_).mix(distances_);
+}
+
 glm::vec4 MeshSdf::distanceAndGradient(glm::vec3 p) const {
   const glm::vec3 inBox = glm::clamp(p, box_.lower, box_.upper);
   if (inBox != p) {
-    const glm::vec3 away = p - inBox;
-    const float d = glm::length(away);
-    return {away / d, d + margin_};
+    const float d = glm::distance(p, inBox);
+    return {(p - inBox) / d, d + margin_};
   }
-  const glm::vec3 q = (p - box_.lower) / cell_;
-  const glm::ivec3 i = glm::min(glm::ivec3(q), nodes_ - 2);
-  const glm::vec3 t = q - glm::vec3(i);
-  const std::size_t dy = static_cast<std::size_t>(nodes_.x),
-                    dz = dy * static_cast<std::size_t>(nodes_.y);
-  const glm::vec4* v = values_.data() + static_cast<std::size_t>(i.x) +
-                       static_cast<std::size_t>(i.y) * dy + static_cast<std::size_t>(i.z) * dz;
-  const auto row = [&](const glm::vec4* r) { return glm::mix(r[0], r[1], t.x); };
-  const glm::vec4 value = glm::mix(glm::mix(row(v), row(v + dy), t.y),
-                                   glm::mix(row(v + dz), row(v + dz + dy), t.y), t.z);
-  const float length = glm::length(glm::vec3(value));
-  return {length > 1e-6f ? glm::vec3(value) / length : glm::vec3(0, 1, 0), value.w};
+  const NodesAround around((p - box_.lower) / cell_, nodes_);
+  const glm::vec3 gradient = around.mix(gradients_);
+  const float length = glm::length(gradient);
+  return {length > 1e-6f ? gradient / length : glm::vec3(0, 1, 0), around.mix(distances_)};
 }
 
 }  // namespace hair

@@ -21,9 +21,9 @@ class MeshSdf {
   MeshSdf(const TriangleMesh& mesh, float cell, float margin);
 
   /// Metres. Outside the grid: a lower bound of the distance, never less than `margin`.
-  float distance(glm::vec3 p) const { return distanceAndGradient(p).w; }
+  float distance(glm::vec3 p) const;
 
-  /// xyz = unit outward direction, w = distance as above.
+  /// xyz = unit outward direction, w = distance as above. Costs four times as much.
   glm::vec4 distanceAndGradient(glm::vec3 p) const;
 
   /// What the grid covers, metres.
@@ -33,8 +33,9 @@ class MeshSdf {
   Bounds box_;
   float cell_, margin_;
   glm::ivec3 nodes_;  ///< an axis
-  /// [nodes_.x · nodes_.y · nodes_.z], x fastest: gradient (central differences), distance.
-  std::vector<glm::vec4> values_;
+  // [nodes_.x · nodes_.y · nodes_.z], x fastest. Apart, as most look-ups end with the distance.
+  std::vector<float> distances_;
+  std::vector<glm::vec3> gradients_;  ///< central differences
 };
 
 }  // namespace hair

@@ -66,19 +66,29 @@ struct Obstacles {
   float skin, headClearance;
   std::uint64_t near;
 
+  glm::vec3 inHead(glm::vec3 p) const {
+    return (p - colliders.worldFromHead.translation) * worldFromHead;
+  }
+  float distance(glm::vec3 p) const {
+    float nearest = colliders.head ? colliders.head->distance(inHead(p)) - headClearance : 1e3f;
+    for (std::uint64_t rest = near; rest != 0; rest &= rest - 1) {
+      const auto c = static_cast<std::size_t>(__builtin_ctzll(rest));
+      nearest = std::min(nearest, distanceAndGradient(colliders.capsules[c], p).w - skin);
+    }
+    return nearest;
+  }
+  // The way out as well: direction, distance.
   glm::vec4 at(glm::vec3 p) const {
-    glm::vec4 nearest(0, 0, 0, 1e3f);
+    glm::vec4 nearest(0, 1, 0, 1e3f);
+    if (colliders.head) {
+      const glm::vec4 d = colliders.head->distanceAndGradient(inHead(p));
+      nearest = glm::vec4(worldFromHead * glm::vec3(d), d.w - headClearance);
+    }
     for (std::uint64_t rest = near; rest != 0; rest &= rest - 1) {
       const auto c = static_cast<std::size_t>(__builtin_ctzll(rest));
       glm::vec4 d = distanceAndGradient(colliders.capsules[c], p);
       d.w -= skin;
       if (d.w < nearest.w) nearest = d;
-    }
-    if (colliders.head) {
-      const glm::vec3 local = (p - colliders.worldFromHead.translation) * worldFromHead;
-      const glm::vec4 d = colliders.head->distanceAndGradient(local);
-      if (d.w - headClearance < nearest.w)
-        nearest = glm::vec4(worldFromHead * glm::vec3(d), d.w - headClearance);
     }
     return nearest;
   }
@@ -92,7 +102,7 @@ std::uint32_t firstHit(std::span<const glm::vec3> points, std::uint32_t from,
   for (std::uint32_t k = from; k < points.size(); ++k) {
     if (k > from) clear -= glm::distance(points[k], points[k - 1]);
     if (clear > 0) continue;
-    clear = obstacles.at(points[k]).w;
+    clear = obstacles.distance(points[k]);
     if (clear < 0) return k;
   }
   return static_cast<std::uint32_t>(points.size());
