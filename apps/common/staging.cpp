@@ -96,7 +96,8 @@ void Staging::updateHair(draw::Renderer& renderer) {
   layer.shadowWidth = groom.fibre.width * groom.fibre.opacity * groom.fibre.hairsPerStrand;
   if (headShadowsHair) renderer.meshVisibility(scene, hair.wisps.points, hair.visibility);
   if (scene.light.direction != settings.light.direction) {
-    settings.light.direction = glm::normalize(scene.light.direction);
+    // Both get the same bits, or every picture would shadow again.
+    settings.light.direction = scene.light.direction = glm::normalize(scene.light.direction);
     performance_.relight();
   } else {
     shadeKajiyaKay(hair.strands(), hair.transmittance, hair.visibility, settings.light,
@@ -124,7 +125,7 @@ void Staging::updateInternals() {
   if (shown.colliders)
     for (const Capsule& c : performance_.pose.capsules)
       scene.debug.capsule(c, draw::packColour({0.2f, 0.7f, 1.0f, 0.8f}));
-  if (shown.cells && !hair.map.empty()) {
+  if (shown.cells && performance_.settings.shadow && !hair.map.empty()) {
     const DensityMap& map = hair.map;
     for (int i = map.lower.x; i <= map.upper.x; ++i)
       for (int k = map.lower.z; k <= map.upper.z; ++k)
