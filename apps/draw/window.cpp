@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 #include <epoxy/gl.h>
 // After the loader, which brings its own gl.h.
@@ -83,7 +84,8 @@ Window::Window(const std::string& title, int width, int height) : state(std::mak
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   state->window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
-  require(state->window != nullptr, "cannot open a window with OpenGL 3.3: ", glfwComplaint());
+  require(state->window != nullptr, "cannot open a window with OpenGL 3.3: ", glfwComplaint(),
+          "; --headless does without");
   glfwMakeContextCurrent(state->window);
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(state->window, state.get());
@@ -98,6 +100,7 @@ Window::Window(const std::string& title, int width, int height) : state(std::mak
     if (key == GLFW_KEY_SPACE && action == GLFW_PRESS) r.pause = !r.pause;
     if (key == GLFW_KEY_S) r.step = true;
     if (key == GLFW_KEY_R && action == GLFW_PRESS) r.reset = true;
+    if (key == GLFW_KEY_TAB && action == GLFW_PRESS) r.panel = !r.panel;
   });
 
   IMGUI_CHECKVERSION();
@@ -176,6 +179,18 @@ int Window::width() const {
 }
 int Window::height() const {
   return state->height;
+}
+
+void Window::finish() const {
+  glFinish();
+}
+
+bool Window::softwareDrawing() const {
+  const auto* bytes = glGetString(GL_RENDERER);
+  const std::string_view name = bytes ? reinterpret_cast<const char*>(bytes) : "";
+  for (const std::string_view software : {"llvmpipe", "softpipe", "SwiftShader", "Software"})
+    if (name.find(software) != std::string_view::npos) return true;
+  return false;
 }
 
 void Window::close() {

@@ -12,6 +12,7 @@ struct WindowRequests {
   bool pause = false;  ///< space: pause or go on
   bool step = false;   ///< S: one frame
   bool reset = false;  ///< R: back to the start
+  bool panel = false;  ///< Tab: show or hide the panel
 };
 
 /// A window with an OpenGL 3.3 core context, the mouse on camera and light, and Dear ImGui.
@@ -44,6 +45,11 @@ class Window {
   /// The framebuffer in pixels (not the window in screen units); at least 1.
   int width() const;
   int height() const;
+
+  /// Waits until all that was drawn so far is done (to measure how long it takes).
+  void finish() const;
+  /// No graphics card: OpenGL is computed by the CPU, and pictures are dear.
+  bool softwareDrawing() const;
 
   void close();
 
