@@ -61,7 +61,13 @@ void addSubjectOptions(CLI::App& command, SubjectOptions& subject) {
                     ->type_name("STYLE");
   command.add_option("--hair", subject.hair, "hair of a file instead: .hair, .tfx or .data")
       ->excludes(style);
-  command.add_option("--head", subject.head, "the head of that hair, .obj in the same coordinates");
+  command
+      .add_option(
+          "--head", subject.heads,
+          "the head of that hair, .obj in the same coordinates; again for eyes and the like")
+      ->expected(1)
+      ->take_all()
+      ->type_name("FILE");
   command.add_option("--motion", subject.motion,
                      "motion capture, .bvh; default: the built-in dance");
   command

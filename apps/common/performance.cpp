@@ -39,8 +39,12 @@ Performance::Performance(const Subject& subject_, const PerformanceOptions& opti
 }
 
 void Performance::restart() {
-  time = 0;
   log = {};
+  begin();
+}
+
+void Performance::begin() {
+  time = 0;
   subject.motion.pose(0, pose);
   hair::restart({pose.worldFromHead, pose.capsules}, settings, static_cast<float>(settle_), hair);
   relight();
@@ -49,8 +53,8 @@ void Performance::restart() {
 void Performance::step() {
   profile = {};
   const double duration = subject.motion.duration();
+  if (!subject.motion.isLoop() && duration > 0 && time + 1 / fps_ > duration) begin();
   time += 1 / fps_;
-  if (!subject.motion.isLoop() && duration > 0 && time > duration) return restart();
   {
     const StageTimer timer(profile, Stage::Motion,
                            static_cast<std::int64_t>(pose.worldFromJoint.size()));

@@ -46,6 +46,8 @@ class Performance {
   double time = 0;         ///< seconds of the motion
 
  private:
+  void begin();
+
   double fps_, settle_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <libhair/core/parallel.h>
 #include <libhair/shade/kajiya_kay.h>
 #include <libhair/shadow/filter.h>
 
@@ -12,7 +13,8 @@ namespace {
 
 // Drawn wider than a hair, as each strand stands for many; but never so wide that it looks it.
 float drawnWidth(const Groom& groom) {
-  return std::clamp(groom.fibre.width * std::sqrt(groom.fibre.hairsPerStrand), 1e-4f, 3.5e-4f);
+  return std::clamp(1.25f * groom.fibre.width * std::sqrt(groom.fibre.hairsPerStrand), 1e-4f,
+                    6e-4f);
 }
 
 // The middle of the head's upper part, head space.
@@ -27,41 +29,49 @@ glm::mat4 matrixOf(const RigidTransform& t) {
   return m;
 }
 
-// Scalp colour by how close roots are: hides the skin between strands, as real scalp in shade.
-std::vector<glm::vec3> darkenedScalp(const Subject& subject) {
-  const TriangleMesh& mesh = subject.head.mesh;
-  std::vector<float> nearest(mesh.positions.size(), 1);
-  const Groom& groom = subject.groom;
-  for (std::size_t g = 0; g < groom.guideCount(); ++g) {
-    const glm::vec3 root = groom.guide(g)[0];
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-      nearest[v] = std::min(nearest[v], glm::distance(mesh.positions[v], root));
-  }
-  std::vector<glm::vec3> colours;
-  for (float d : nearest) {
-    const float bare = glm::smoothstep(0.008f, 0.018f, d);
-    colours.push_back(glm::mix(glm::vec3(0.30f, 0.24f, 0.21f), glm::vec3(1), bare));
-  }
+// The head's colours: the hair's own where roots are close, so that no skin shows between the few
+// strands that are drawn.
+std::vector<glm::vec3> dyedScalp(const Performance& performance) {
+  const TriangleMesh& mesh = performance.subject.head.mesh;
+  const StrandView strands = performance.hair.strands();
+  const RigidTransform headFromWorld = inverse(performance.pose.worldFromHead);
+  std::vector<glm::vec3> roots;
+  const std::size_t stride = std::max<std::size_t>(1, strands.strandCount() / 4000);
+  for (std::size_t s = 0; s < strands.strandCount(); s += stride)
+    roots.push_back(headFromWorld.point(strands.strand(s).front()));
+  std::vector<glm::vec3> colours(mesh.positions.size());
+  parallelFor(colours.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      float nearest2 = 1;
+      for (glm::vec3 root : roots) {
+        const glm::vec3 d = mesh.positions[v] - root;
+        nearest2 = std::min(nearest2, glm::dot(d, d));
+      }
+      const float bare = glm::smoothstep(0.004f, 0.010f, std::sqrt(nearest2));
+      // A factor of the skin's colour (MeshLayer).
+      const glm::vec3 dyed = 0.8f * performance.settings.look.rootColour / draw::MeshLayer{}.colour;
+      colours[v] = glm::mix(dyed, glm::vec3(1), bare);
+    }
+  });
   return colours;
 }
 
 }  // namespace
 
 Staging::Staging(Performance& performance)
-    : performance_(performance), scalp_(darkenedScalp(performance.subject)) {
+    : performance_(performance), scalp_(dyedScalp(performance)) {
   const Subject& subject = performance.subject;
   scene.light.direction = performance.settings.light.direction;
   headBefore_ = performance.pose.worldFromHead.point(skull(subject));
-  float lowest = 1e3f;
-  for (const Capsule& c : performance.pose.capsules)
-    lowest = std::min({lowest, c.a.y - c.radius, c.b.y - c.radius});
-  scene.ground.height = performance.pose.capsules.empty() ? headBefore_.y - 1.5f : lowest;
+  scene.ground.height = subject.motion.floorHeight();
   scene.meshes.resize(2);
   scene.meshes[0].mesh = &subject.head.mesh;
   scene.meshes[0].vertexColours = scalp_;
   scene.meshes[1].mesh = &body_;
   scene.meshes[1].colour = {0.16f, 0.18f, 0.22f};  // dressed
   scene.meshes[1].roughness = 0.8f;
+  for (const TriangleMesh& eye : subject.eyes)
+    scene.meshes.push_back({&eye, glm::mat4(1), glm::vec3(0.75f), {}, 0.2f});
   scene.hair.resize(1);
   frameHead(0.5f, 0.05f, 0.95f);
 }
@@ -78,7 +88,8 @@ void Staging::frameHead(float yaw, float pitch, float distance) {
 
 void Staging::updateMeshes() {
   const Subject& subject = performance_.subject;
-  scene.meshes[0].worldFromMesh = matrixOf(performance_.pose.worldFromHead);
+  for (draw::MeshLayer& layer : scene.meshes)
+    if (layer.mesh != &body_) layer.worldFromMesh = matrixOf(performance_.pose.worldFromHead);
   subject.body.skin(performance_.pose.worldFromJoint, body_);
 }
 

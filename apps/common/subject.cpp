@@ -1,6 +1,7 @@
 #include <apps/common/subject.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <libhair/core/error.h>
 #include <libhair/files/bvh_file.h>
@@ -53,11 +54,27 @@ std::vector<glm::vec3> rootsOf(StrandView strands) {
   return roots;
 }
 
+void moveBy(const RigidTransform& to, TriangleMesh& mesh) {
+  for (glm::vec3& p : mesh.positions) p = to.point(p);
+}
+
+// A bust brings shoulders along, which do not move with a head. What is below the neck, and what is
+// wider than one, goes; the body's neck reaches up into what stays.
+std::size_t dropBust(TriangleMesh& mesh) {
+  constexpr float kNeckBottom = -0.06f, kNeckRadius = 0.075f;
+  const auto below = [&](std::uint32_t v) {
+    const glm::vec3 p = mesh.positions[v];
+    return p.y < kNeckBottom || (p.y < 0 && std::hypot(p.x, p.z) > kNeckRadius && p.z < 0.05f);
+  };
+  return std::erase_if(mesh.triangles,
+                       [&](glm::uvec3 t) { return below(t.x) && below(t.y) && below(t.z); });
+}
+
 // Head and groom together, as each has to fit the other.
-Groom makeHair(const SubjectOptions& options, Head& head, std::unique_ptr<MeshSdf>& collider,
-               std::vector<std::string>& notes) {
+Groom makeHair(const SubjectOptions& options, Head& head, std::vector<TriangleMesh>& eyes,
+               std::unique_ptr<MeshSdf>& collider, std::vector<std::string>& notes) {
   if (options.hair.empty()) {
-    require(options.head.empty(),
+    require(options.heads.empty(),
             "--head: the built-in styles grow on the built-in head; give --hair too");
     head = builtinHead();
     collider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
@@ -69,7 +86,7 @@ Groom makeHair(const SubjectOptions& options, Head& head, std::unique_ptr<MeshSd
   StrandSet strands = loadHair(options, notes);
   const std::vector<glm::vec3> roots = rootsOf(strands);
   RigidTransform headFromFile;
-  if (options.head.empty()) {
+  if (options.heads.empty()) {
     HeadFit fit = fitHeadToRoots(roots);
     head = std::move(fit.head);
     headFromFile = fit.headFromHair;
@@ -77,9 +94,15 @@ Groom makeHair(const SubjectOptions& options, Head& head, std::unique_ptr<MeshSd
         text("no --head: the built-in head was scaled under the roots, which lie on it to ",
              fit.residual * 1000, " mm (mean)"));
   } else {
-    head.mesh = readObj(options.head);
+    head.mesh = readObj(options.heads.front());
     headFromFile = placeHead(head.mesh, roots);
-    for (glm::vec3& p : head.mesh.positions) p = headFromFile.point(p);
+    moveBy(headFromFile, head.mesh);
+    const std::size_t dropped = dropBust(head.mesh);
+    if (dropped > 0)
+      notes.push_back(text(options.heads.front().filename().string(), ": ", dropped,
+                           " triangles of shoulders left out; the body has its own"));
+    for (std::size_t i = 1; i < options.heads.size(); ++i)
+      moveBy(headFromFile, eyes.emplace_back(readObj(options.heads[i])));
   }
   collider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
   for (glm::vec3& p : strands.points) p = headFromFile.point(p);
@@ -114,7 +137,7 @@ float longest(const Groom& groom) {
 }  // namespace
 
 Subject::Subject(const SubjectOptions& options)
-    : groom(makeHair(options, head, headCollider, notes)),
+    : groom(makeHair(options, head, eyes, headCollider, notes)),
       motion(makeMotion(options, notes)),
       body(motion.body()),
       look(lookOf(options.hair.empty() ? options.style : Style::Smooth)),

@@ -18,9 +18,11 @@ namespace hair {
 
 /// Whose hair: what the options of `dance` and `hair simulate` say in the same words.
 struct SubjectOptions {
-  Style style = Style::Smooth;   ///< --style, unless `hair` is given
-  std::filesystem::path hair;    ///< --hair FILE; empty: the style
-  std::filesystem::path head;    ///< --head FILE; empty: the built-in head, fitted to the hair
+  Style style = Style::Smooth;  ///< --style, unless `hair` is given
+  std::filesystem::path hair;   ///< --hair FILE; empty: the style
+  /// --head FILE, may be repeated: first the head, which hair collides with, then what is drawn
+  /// with it (eyes). Empty: the built-in head, fitted to the hair.
+  std::vector<std::filesystem::path> heads;
   std::filesystem::path motion;  ///< --motion FILE.bvh; empty: the built-in dance
   bool still = false;            ///< --still: nobody moves
   ReadOptions read;              ///< --scale, --up: of the hair file and the head file
@@ -36,9 +38,9 @@ struct Subject {
   Subject(const Subject&) = delete;  // Hair keeps references into it
   Subject& operator=(const Subject&) = delete;
 
-  std::vector<std::string>
-      notes;  ///< what was assumed, dropped or repaired; filled while the rest is
-  Head head;  ///< head space
+  std::vector<std::string> notes;  ///< what was assumed, dropped or repaired, for the user
+  Head head;                       ///< head space
+  std::vector<TriangleMesh> eyes;  ///< drawn with the head, head space
   std::unique_ptr<MeshSdf> headCollider;
   Groom groom;
   Motion motion;

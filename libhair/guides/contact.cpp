@@ -9,24 +9,34 @@ namespace {
 // Farther than anything reaches in a substep.
 constexpr float kFar = 1e3f;
 
-// Keeps in `best` the plane of capsule `c` where that is nearer than what it holds.
-void nearerCapsule(LaneVec3 p, float skin, const Capsule& c, const Capsule& before,
-                   ContactPlane& best) {
+// Where the axis of a capsule is nearest to points: a + t · axis.
+struct Foot {
+  Lanes t;
+  LaneVec3 point;
+};
+
+Foot footOf(const Capsule& c, LaneVec3 p) {
   const glm::vec3 axis = c.b - c.a;
   const float axis2 = glm::dot(axis, axis);
   const LaneVec3 a = broadcast(c.a), ab = broadcast(axis);
   Lanes t = dot(p - a, ab) * (axis2 > 0 ? 1.0f / axis2 : 0.0f);
   t = min(max(t, lanes(0)), lanes(1));
-  const LaneVec3 foot = a + t * ab, out = p - foot;
-  const Lanes length2 = dot(out, out), r = sqrt(length2);
-  const Lanes d = r - (c.radius + skin);
+  return {t, a + t * ab};
+}
+
+// Keeps in `best` the plane of a capsule where that is nearer than what it holds.
+void nearerCapsule(LaneVec3 p, const NearCapsule& capsule, ContactPlane& best) {
+  const Foot foot = footOf(*capsule.now, p);
+  const LaneVec3 out = p - foot.point;
+  const Lanes r = length(out), d = r - capsule.reach;
   const LaneMask nearer = d < best.distance;
   if (!any(nearer)) return;
   const LaneVec3 normal = (1.0f / max(r, lanes(1e-9f))) * out;
-  const LaneVec3 move =
-      broadcast(c.a - before.a) + t * broadcast((c.b - before.b) - (c.a - before.a));
+  const glm::vec3 moveA = capsule.now->a - capsule.before->a;
+  const glm::vec3 moveB = capsule.now->b - capsule.before->b;
+  const LaneVec3 move = broadcast(moveA) + foot.t * broadcast(moveB - moveA);
   best.normal = select(nearer, normal, best.normal);
-  best.offset = nearer ? dot(normal, foot) + (c.radius + skin) : best.offset;
+  best.offset = nearer ? dot(normal, foot.point) + capsule.reach : best.offset;
   best.surfaceMove = select(nearer, move, best.surfaceMove);
   best.distance = nearer ? d : best.distance;
 }
@@ -51,11 +61,15 @@ void nearerHead(LaneVec3 p, Lanes clearance, const ColliderState& colliders, Con
 
 }  // namespace
 
-ContactPlane nearestPlane(LaneVec3 points, Lanes headClearance, float skin,
-                          const ColliderState& colliders, std::span<const std::uint16_t> near) {
+NearCapsule nearCapsule(const Capsule& now, const Capsule& before, LaneVec3 roots, float skin) {
+  const Lanes rootDistance = length(roots - footOf(now, roots).point);
+  return {&now, &before, min(lanes(now.radius + skin), rootDistance)};
+}
+
+ContactPlane nearestPlane(LaneVec3 points, Lanes headClearance, const ColliderState& colliders,
+                          std::span<const NearCapsule> near) {
   ContactPlane best{{}, lanes(-kFar), {}, lanes(kFar)};
-  for (std::uint16_t c : near)
-    nearerCapsule(points, skin, colliders.capsules[c], colliders.capsulesBefore[c], best);
+  for (const NearCapsule& capsule : near) nearerCapsule(points, capsule, best);
   if (colliders.head) nearerHead(points, headClearance, colliders, best);
   return best;
 }

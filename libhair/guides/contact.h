@@ -26,9 +26,20 @@ struct ContactPlane {
   Lanes distance;  ///< of the point to the plane when it was found; no collider is nearer
 };
 
+/// A capsule worth looking at, and how far from its axis each of eight strands must keep.
+struct NearCapsule {
+  const Capsule *now, *before;
+  Lanes reach;
+};
+
+/// The same for eight strands whose roots are given. A capsule that has swallowed a root (the neck
+/// does, when the head is thrown back) keeps that strand only as far out as its root: there is no
+/// way out for the points next to it.
+NearCapsule nearCapsule(const Capsule& now, const Capsule& before, LaneVec3 roots, float skin);
+
 /// The plane of the collider nearest to each of eight points (deepest, where inside). A lane far
-/// from everything gets a plane that never touches. `near` lists the capsules worth looking at.
-ContactPlane nearestPlane(LaneVec3 points, Lanes headClearance, float skin,
-                          const ColliderState& colliders, std::span<const std::uint16_t> near);
+/// from everything gets a plane that never touches.
+ContactPlane nearestPlane(LaneVec3 points, Lanes headClearance, const ColliderState& colliders,
+                          std::span<const NearCapsule> near);
 
 }  // namespace hair

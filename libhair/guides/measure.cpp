@@ -15,6 +15,7 @@ GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settin
   double stretch2 = 0;
   for (std::size_t g = 0; g < guides.guideCount(); ++g) {
     const std::size_t group = g / kLanes, lane = g % kLanes;
+    const glm::vec3 root = guides.point(g, 0);
     for (std::uint32_t i = 0; i < n; ++i) {
       const glm::vec3 p = guides.point(g, i);
       const std::size_t at = group * n + i;
@@ -25,7 +26,9 @@ GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settin
                              static_cast<double>(glm::dot(v, v));
       if (i == 0) continue;
       for (const Capsule& c : capsules)
-        stats.penetrationMax = std::max(stats.penetrationMax, -distanceAndGradient(c, p).w);
+        stats.penetrationMax =
+            std::max(stats.penetrationMax,
+                     std::min(0.0f, distanceAndGradient(c, root).w) - distanceAndGradient(c, p).w);
       if (head)
         stats.penetrationMax =
             std::max(stats.penetrationMax, std::min(0.0f, guides.clearance[at][lane]) -

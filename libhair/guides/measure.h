@@ -16,7 +16,8 @@ struct GuideStats {
   float speedMax = 0;        ///< m/s
 };
 
-/// Points groomed inside the head count by how much deeper than groomed they are; roots not at all.
+/// Points groomed inside the head count by how much deeper than groomed they are, points of a
+/// strand whose root a capsule has swallowed by how much deeper than the root; roots not at all.
 GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settings,
                          std::span<const Capsule> capsules, const MeshSdf* head);
 

@@ -91,20 +91,19 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
       const glm::vec3 p(x[i].x[l], x[i].y[l], x[i].z[l]);
       lower = glm::min(lower, p), upper = glm::max(upper, p);
     }
-  std::array<std::uint16_t, kMaxCapsules> near;
+  std::array<NearCapsule, kMaxCapsules> near;
   std::size_t nearCount = 0;
   for (std::size_t c = 0; c < colliders.capsules.size(); ++c) {
     const Capsule& capsule = colliders.capsules[c];
     const glm::vec3 reach(capsule.radius + settings.skin);
     if (glm::all(glm::lessThan(glm::min(capsule.a, capsule.b) - reach, upper)) &&
         glm::all(glm::lessThan(lower, glm::max(capsule.a, capsule.b) + reach)))
-      near[nearCount++] = static_cast<std::uint16_t>(c);
+      near[nearCount++] = nearCapsule(capsule, colliders.capsulesBefore[c], x[0], settings.skin);
   }
 
   const auto look = [&](std::uint32_t i) {
     seenAt[i] = x[i];
-    planes[i] =
-        nearestPlane(x[i], g.clearance[i], settings.skin, colliders, {near.data(), nearCount});
+    planes[i] = nearestPlane(x[i], g.clearance[i], colliders, {near.data(), nearCount});
   };
   planes[0] = ContactPlane{{}, lanes(-1e3f), {}, lanes(1e3f)};
   inverseMass[0] = Lanes{}, touching[0] = LaneMask{}, lambda[0] = Lanes{};
