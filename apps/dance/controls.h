@@ -90,7 +90,10 @@ struct Readout {
   std::string failure;             ///< why the last growing failed; or empty
   std::vector<std::string> notes;  ///< on loading
   History history;
-  bool timesShown = false;  ///< by the panel's last drawing
+
+  // What the panel's last drawing says of itself.
+  bool timesShown = false;
+  float panelWidth = 0;  ///< that it takes from the picture, screen units
 };
 
 }  // namespace hair

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <apps/common/results.h>
 #include <apps/dance/dance.h>
@@ -47,6 +48,7 @@ class Interactive {
   Readout readout_;
   bool panelShown_ = true, stepAsked_ = false;
   Pace pace_;
+  double secondsAPicture_ = 0, simulatedAPicture_ = 0;  // averages
   StatsLog stats_;
   int framesDone_ = 0;
   std::unique_ptr<Show> show_;
@@ -114,9 +116,11 @@ void Interactive::simulate(double seconds) {
   int run = 0;
   while (run < due && (options_.frames == 0 || framesDone_ < options_.frames)) stepOnce(), ++run;
   readout_.droppedSeconds = pace_.droppedSeconds();
-  follow(readout_.picturesPerSecond, 1 / std::max(seconds, 1e-4));
-  const double fraction = run / options_.performance.fps / std::max(seconds, 1e-4);
-  follow(readout_.simulatedPerSecond, controls_.paused ? 0 : fraction);
+  if (seconds <= 0) return;  // the first picture
+  follow(secondsAPicture_, seconds);
+  follow(simulatedAPicture_, controls_.paused ? 0 : run / options_.performance.fps);
+  readout_.picturesPerSecond = 1 / secondsAPicture_;
+  readout_.simulatedPerSecond = controls_.paused ? 0 : simulatedAPicture_ / secondsAPicture_;
 }
 
 void Interactive::drawPicture(bool aboutToGrow) {
@@ -140,18 +144,20 @@ int Interactive::run() {
   window_.endFrame(*renderer_);
   grow();
 
+  bool fresh = true;
   auto before = Clock::now();
   while (window_.beginFrame(show_->staging.scene.camera, show_->staging.scene.light)) {
-    const double seconds = secondsSince(before);
+    const double seconds = std::exchange(fresh, false) ? 0 : secondsSince(before);
     before = Clock::now();
     show_->report(readout_);
     const Requests asked = panelShown_ ? drawPanel(controls_, readout_) : Requests{};
     obey(asked, window_.requests());
+    window_.setMargin(panelShown_ ? readout_.panelWidth : 0);
     simulate(seconds);
     drawPicture(asked.grow);
     if (asked.grow) {
       grow();
-      before = Clock::now();  // that was no time to catch up with
+      fresh = true;  // that was no time to catch up with
     }
   }
   writeResults(options_.results, show_->performance, stats_);

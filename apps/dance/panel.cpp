@@ -1,5 +1,6 @@
 #include <apps/dance/panel.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
@@ -186,6 +187,7 @@ void drawInternals(Controls& c) {
   ImGui::Checkbox("occupied cells, by transmittance", &c.internals.cells);
   if (c.internals.cells && c.shadow.view == ShadowView::Off)
     ImGui::TextUnformatted("no map: self-shadowing is off");
+  if (c.internals.cells) ImGui::TextUnformatted("yellow: lit, blue: dark");
   ImGui::Checkbox("through everything", &c.internalsOnTop);
 }
 
@@ -203,10 +205,13 @@ bool section(const char* name, bool open, Body body) {
 Requests drawPanel(Controls& c, Readout& r) {
   const float em = ImGui::GetFontSize();
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * em, 0.5f * em}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({26 * em, display.y - em}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({std::min(26 * em, 0.5f * display.x), display.y});
   Requests requests;
-  if (ImGui::Begin("Hair (Tab hides this)")) {
+  r.timesShown = false;
+  if (ImGui::Begin("Hair (Tab hides this)", nullptr,
+                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    r.panelWidth = ImGui::GetWindowWidth();
     ImGui::PushItemWidth(-9 * em);
     requests = drawPlayback(c);
     drawState(r);
@@ -228,6 +233,8 @@ Requests drawPanel(Controls& c, Readout& r) {
         for (const std::string& note : r.notes) ImGui::TextWrapped("%s", note.c_str());
       });
     ImGui::PopItemWidth();
+  } else {
+    r.panelWidth = 0;
   }
   ImGui::End();
   return requests;

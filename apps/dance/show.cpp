@@ -10,7 +10,7 @@ SubjectOptions subjectOf(const DanceOptions& options, const Controls::Growth& gr
   SubjectOptions subject = options.subject;
   if (!growth.fromFile) {
     subject.hair.clear();
-    subject.head.clear();
+    subject.heads.clear();
     subject.style = growth.style;
   }
   subject.strands = static_cast<std::uint32_t>(growth.strands);

@@ -33,15 +33,16 @@ float roundedUp(float x) {
 }
 
 void drawBars(const Recent<FrameProfile>& frames) {
-  float most = 0;
-  for (std::size_t i = 0; i < frames.size(); ++i) most = std::max(most, milliseconds(frames[i]));
-  const float top = roundedUp(most);
+  // By the median: one late frame must not flatten all others. It is cut off at the top.
+  const float top = roundedUp(
+      2 * medianOf(frames, [](const FrameProfile& frame) { return milliseconds(frame); }));
 
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::GetContentRegionAvail().x, 6 * ImGui::GetFontSize()};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y},
                      ImGui::GetColorU32(ImGuiCol_FrameBg));
+  list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
   // The newest stands at the right edge.
   const float wide = size.x / static_cast<float>(frames.capacity());
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -53,6 +54,7 @@ void drawBars(const Recent<FrameProfile>& frames) {
       y -= high;
     }
   }
+  list.PopClipRect();
   list.AddText({corner.x + 4, corner.y + 2}, ImGui::GetColorU32(ImGuiCol_Text),
                text(top, " ms").c_str());
   ImGui::Dummy(size);

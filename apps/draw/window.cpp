@@ -43,7 +43,8 @@ void turnLight(Light& light, const Camera& camera, float rightBy, float upBy) {
 
 struct Window::State {
   GLFWwindow* window = nullptr;
-  int width = 1, height = 1;
+  int width = 1, height = 1;  // of the framebuffer, pixels
+  int margin = 0;             // of it, left of the picture
   double cursorX = 0, cursorY = 0, wheel = 0;
   ImGuiContext* panel = nullptr;
   WindowRequests requests;
@@ -167,15 +168,24 @@ WindowRequests Window::requests() const {
 
 void Window::endFrame(const Renderer& renderer) {
   ImGui::Render();
-  renderer.present(state->width, state->height);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  renderer.present(state->margin, width(), height());
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, state->width, state->height);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(state->window);
 }
 
+void Window::setMargin(float units) {
+  const float pixels = units * ImGui::GetIO().DisplayFramebufferScale.x;
+  state->margin = std::clamp(static_cast<int>(pixels), 0, state->width - 1);
+}
+
 int Window::width() const {
-  return state->width;
+  return std::max(1, state->width - state->margin);
 }
 int Window::height() const {
   return state->height;

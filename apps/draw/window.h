@@ -42,7 +42,12 @@ class Window {
   /// Shows what the renderer drew last, the panel over it.
   void endFrame(const Renderer& renderer);
 
-  /// The framebuffer in pixels (not the window in screen units); at least 1.
+  /// Keeps the picture off the left part of the window, where a panel stands: screen units, as
+  /// ImGui counts. 0, the default: nothing.
+  void setMargin(float units);
+
+  /// The picture in pixels (not the window in screen units): the framebuffer but for the margin; at
+  /// least 1.
   int width() const;
   int height() const;
 
