@@ -68,9 +68,9 @@ bool windowAvailable() {
     return value && *value;
   };
   // The GLFW of today's distributions opens windows through X, under Wayland too.
-  if (!set("DISPLAY") || !glfwInit()) return false;
-  glfwTerminate();
-  return true;
+  // No glfwTerminate: a display server that loses its only client starts anew, and for a moment
+  // answers nobody. The window takes the connection over.
+  return set("DISPLAY") && glfwInit();
 }
 
 Window::Window(const std::string& title, int width, int height) : state(std::make_unique<State>()) {
