@@ -25,10 +25,10 @@ Foot footOf(const Capsule& c, LaneVec3 p) {
 }
 
 // Keeps in `best` the plane of a capsule where that is nearer than what it holds.
-void nearerCapsule(LaneVec3 p, const NearCapsule& capsule, ContactPlane& best) {
+void nearerCapsule(LaneVec3 p, const NearCapsule& capsule, Lanes reach, ContactPlane& best) {
   const Foot foot = footOf(*capsule.now, p);
   const LaneVec3 out = p - foot.point;
-  const Lanes r = length(out), d = r - capsule.reach;
+  const Lanes r = length(out), d = r - reach;
   const LaneMask nearer = d < best.distance;
   if (!any(nearer)) return;
   const LaneVec3 normal = (1.0f / max(r, lanes(1e-9f))) * out;
@@ -36,7 +36,7 @@ void nearerCapsule(LaneVec3 p, const NearCapsule& capsule, ContactPlane& best) {
   const glm::vec3 moveB = capsule.now->b - capsule.before->b;
   const LaneVec3 move = broadcast(moveA) + foot.t * broadcast(moveB - moveA);
   best.normal = select(nearer, normal, best.normal);
-  best.offset = nearer ? dot(normal, foot.point) + capsule.reach : best.offset;
+  best.offset = nearer ? dot(normal, foot.point) + reach : best.offset;
   best.surfaceMove = select(nearer, move, best.surfaceMove);
   best.distance = nearer ? d : best.distance;
 }
@@ -61,15 +61,19 @@ void nearerHead(LaneVec3 p, Lanes clearance, const ColliderState& colliders, Con
 
 }  // namespace
 
-NearCapsule nearCapsule(const Capsule& now, const Capsule& before, LaneVec3 roots, float skin) {
-  const Lanes rootDistance = length(roots - footOf(now, roots).point);
-  return {&now, &before, min(lanes(now.radius + skin), rootDistance)};
+NearCapsule nearCapsule(const Capsule& now, const Capsule& before, const LaneVec3* anchors,
+                        float skin) {
+  NearCapsule near{&now, &before, {}, now.radius + skin};
+  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
+    near.reach[i] = min(length(anchors[i] - footOf(now, anchors[i]).point), lanes(near.full));
+  return near;
 }
 
-ContactPlane nearestPlane(LaneVec3 points, Lanes headClearance, const ColliderState& colliders,
-                          std::span<const NearCapsule> near) {
+ContactPlane nearestPlane(LaneVec3 points, std::uint32_t index, Lanes way, Lanes headClearance,
+                          const ColliderState& colliders, std::span<const NearCapsule> near) {
   ContactPlane best{{}, lanes(-kFar), {}, lanes(kFar)};
-  for (const NearCapsule& capsule : near) nearerCapsule(points, capsule, best);
+  for (const NearCapsule& capsule : near)
+    nearerCapsule(points, capsule, capsule.reachOf(index, way), best);
   if (colliders.head) nearerHead(points, headClearance, colliders, best);
   return best;
 }

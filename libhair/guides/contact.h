@@ -26,20 +26,34 @@ struct ContactPlane {
   Lanes distance;  ///< of the point to the plane when it was found; no collider is nearer
 };
 
-/// A capsule worth looking at, and how far from its axis each of eight strands must keep.
+/// The points next to the root go where the head goes. Where a capsule has swallowed the place that
+/// the head holds for one of them (the neck does, when the head is thrown back), there is no way
+/// out: it keeps that point only as far from its axis as that place is, and the points after it
+/// farther and farther, by this share of the way along the strand.
+inline constexpr std::uint32_t kAnchoredPoints = 2;
+inline constexpr float kReachGrowth = 0.7f;
+
+/// A capsule worth looking at.
 struct NearCapsule {
   const Capsule *now, *before;
-  Lanes reach;
+  /// [0]: how far from its axis point 1 must keep; [1]: point 2, and the points after it that far
+  /// plus their way along the strand times kReachGrowth; at most `full`.
+  Lanes reach[kAnchoredPoints];
+  float full;
+
+  Lanes reachOf(std::uint32_t point, Lanes way) const {
+    return point == 1 ? reach[0] : min(reach[1] + kReachGrowth * way, lanes(full));
+  }
 };
 
-/// The same for eight strands whose roots are given. A capsule that has swallowed a root (the neck
-/// does, when the head is thrown back) keeps that strand only as far out as its root: there is no
-/// way out for the points next to it.
-NearCapsule nearCapsule(const Capsule& now, const Capsule& before, LaneVec3 roots, float skin);
+/// `anchors`: where the head holds points 1 and 2 of eight strands.
+NearCapsule nearCapsule(const Capsule& now, const Capsule& before, const LaneVec3* anchors,
+                        float skin);
 
-/// The plane of the collider nearest to each of eight points (deepest, where inside). A lane far
-/// from everything gets a plane that never touches.
-ContactPlane nearestPlane(LaneVec3 points, Lanes headClearance, const ColliderState& colliders,
-                          std::span<const NearCapsule> near);
+/// The plane of the collider nearest to each of eight points (deepest, where inside), which are
+/// points `index` of their strands, `way` metres after point 2. A lane far from everything gets a
+/// plane that never touches.
+ContactPlane nearestPlane(LaneVec3 points, std::uint32_t index, Lanes way, Lanes headClearance,
+                          const ColliderState& colliders, std::span<const NearCapsule> near);
 
 }  // namespace hair

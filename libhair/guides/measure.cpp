@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <libhair/guides/contact.h>
 #include <libhair/model/mesh_sdf.h>
 
 namespace hair {
@@ -14,26 +15,32 @@ GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settin
   const RigidTransform headFromWorld = inverse(guides.worldFromHead);
   double stretch2 = 0;
   for (std::size_t g = 0; g < guides.guideCount(); ++g) {
-    const std::size_t group = g / kLanes, lane = g % kLanes;
-    const glm::vec3 root = guides.point(g, 0);
+    const std::size_t group = g / kLanes, l = g % kLanes;
+    float way = 0;
+    // How deep a capsule has the place where the head holds this point (contact.h), not above 0.
+    const auto swallowed = [&](const Capsule& c, std::uint32_t i, float after) {
+      const std::size_t anchor = group * n + std::min(i, kAnchoredPoints);
+      const glm::vec3 held = guides.worldFromHead.point(lane(guides.restPosition[anchor], l));
+      return std::min(0.0f, distanceAndGradient(c, held).w + kReachGrowth * after);
+    };
     for (std::uint32_t i = 0; i < n; ++i) {
       const glm::vec3 p = guides.point(g, i);
       const std::size_t at = group * n + i;
-      const glm::vec3 v(guides.velocity[at].x[lane], guides.velocity[at].y[lane],
-                        guides.velocity[at].z[lane]);
+      const glm::vec3 v(guides.velocity[at].x[l], guides.velocity[at].y[l],
+                        guides.velocity[at].z[l]);
       stats.speedMax = std::max(stats.speedMax, glm::length(v));
-      stats.kineticEnergy += 0.5 * settings.linearDensity * guides.pointMass[at][lane] *
+      stats.kineticEnergy += 0.5 * settings.linearDensity * guides.pointMass[at][l] *
                              static_cast<double>(glm::dot(v, v));
       if (i == 0) continue;
+      if (i > kAnchoredPoints) way += guides.linkLength[group * (n - 1) + i - 1][l];
       for (const Capsule& c : capsules)
         stats.penetrationMax =
-            std::max(stats.penetrationMax,
-                     std::min(0.0f, distanceAndGradient(c, root).w) - distanceAndGradient(c, p).w);
+            std::max(stats.penetrationMax, swallowed(c, i, way) - distanceAndGradient(c, p).w);
       if (head)
         stats.penetrationMax =
-            std::max(stats.penetrationMax, std::min(0.0f, guides.clearance[at][lane]) -
+            std::max(stats.penetrationMax, std::min(0.0f, guides.clearance[at][l]) -
                                                head->distance(headFromWorld.point(p)));
-      const float l0 = guides.linkLength[group * (n - 1) + i - 1][lane];
+      const float l0 = guides.linkLength[group * (n - 1) + i - 1][l];
       const float s = std::abs(glm::distance(p, guides.point(g, i - 1)) - l0) / l0;
       stats.stretchMax = std::max(stats.stretchMax, s);
       stretch2 += static_cast<double>(s) * s;

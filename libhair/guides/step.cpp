@@ -73,7 +73,7 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
   const std::uint32_t n = g.points, links = n - 1;
   const float h = g.h;
   PointArray x, force, seenAt;
-  std::array<Lanes, kMaxGuidePoints> inverseMass, lambda;
+  std::array<Lanes, kMaxGuidePoints> inverseMass, lambda, way;
   std::array<ContactPlane, kMaxGuidePoints> planes;
   std::array<LaneMask, kMaxGuidePoints> touching;
 
@@ -84,6 +84,10 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
   solveBending(n, g.curvature, g.jointStiffness, g.linkLength, g.inverseD, g.below1, g.below2,
                rotate(turn, g.rootTangent), rotate(turn, g.rootNormal), force.data(), x.data());
 
+  LaneVec3 anchors[kAnchoredPoints];
+  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
+    anchors[i] =
+        rotate(turn, g.restPosition[i + 1]) + broadcast(colliders.worldFromHead.translation);
   // Capsules that a box around the group touches.
   glm::vec3 lower(INFINITY), upper(-INFINITY);
   for (std::uint32_t i = 0; i < n; ++i)
@@ -98,18 +102,19 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
     const glm::vec3 reach(capsule.radius + settings.skin);
     if (glm::all(glm::lessThan(glm::min(capsule.a, capsule.b) - reach, upper)) &&
         glm::all(glm::lessThan(lower, glm::max(capsule.a, capsule.b) + reach)))
-      near[nearCount++] = nearCapsule(capsule, colliders.capsulesBefore[c], x[0], settings.skin);
+      near[nearCount++] = nearCapsule(capsule, colliders.capsulesBefore[c], anchors, settings.skin);
   }
 
   const auto look = [&](std::uint32_t i) {
     seenAt[i] = x[i];
-    planes[i] = nearestPlane(x[i], g.clearance[i], colliders, {near.data(), nearCount});
+    planes[i] = nearestPlane(x[i], i, way[i], g.clearance[i], colliders, {near.data(), nearCount});
   };
   planes[0] = ContactPlane{{}, lanes(-1e3f), {}, lanes(1e3f)};
   inverseMass[0] = Lanes{}, touching[0] = LaneMask{}, lambda[0] = Lanes{};
   for (std::uint32_t i = 1; i < n; ++i) {
     inverseMass[i] = 1.0f / g.mass[i];
     touching[i] = LaneMask{}, lambda[i] = Lanes{};
+    way[i] = i > kAnchoredPoints ? way[i - 1] + g.linkLength[i - 1] : Lanes{};
     look(i);
   }
   // Links drag points off; those that went farther than to the collider they saw must look again,

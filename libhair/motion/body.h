@@ -23,8 +23,9 @@ struct BodyMap {
 /// A capsule that moves with joints: `a` is fixed in the frame of jointA, `b` in that of jointB.
 struct BodyCapsule {
   int jointA, jointB;
-  glm::vec3 a, b;  ///< in the joints' frames, metres
-  float radius;    ///< metres
+  glm::vec3 a, b;       ///< in the joints' frames, metres
+  float radius;         ///< metres
+  bool yields = false;  ///< gets thinner where it presses against head or trunk: makeRoomForHair
 };
 
 /// Who moves: a skeleton, what its joints mean, and where its flesh is.

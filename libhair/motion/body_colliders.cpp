@@ -17,11 +17,13 @@ class Fitter {
  public:
   explicit Fitter(Body& body) : body_(body) {}
 
-  void add(int jointA, glm::vec3 a, int jointB, glm::vec3 b, float radius) {
+  void add(int jointA, glm::vec3 a, int jointB, glm::vec3 b, float radius, bool yields = false) {
     body_.capsules.push_back({jointA, jointB, inverse(body_.rest[index(jointA)]).point(a),
-                              inverse(body_.rest[index(jointB)]).point(b), radius});
+                              inverse(body_.rest[index(jointB)]).point(b), radius, yields});
   }
-  void add(int joint, glm::vec3 a, glm::vec3 b, float radius) { add(joint, a, joint, b, radius); }
+  void add(int joint, glm::vec3 a, glm::vec3 b, float radius, bool yields = false) {
+    add(joint, a, joint, b, radius, yields);
+  }
 
  private:
   Body& body_;
@@ -87,11 +89,11 @@ void fitLimbs(const Body& body, const Landmarks& m, Fitter& fit) {
     const int upper = body.map.upperArm[side], fore = body.map.foreArm[side];
     const glm::vec3 shoulder = m.shoulder[side], elbow = m.elbow[side], wrist = m.wrist[side];
     fit.add(upper, shoulder, glm::mix(shoulder, elbow, 0.45f), 0.05f * s);
-    fit.add(upper, glm::mix(shoulder, elbow, 0.45f), elbow, 0.041f * s);
-    fit.add(fore, elbow, glm::mix(elbow, wrist, 0.5f), 0.04f * s);
-    fit.add(fore, glm::mix(elbow, wrist, 0.5f), wrist, 0.033f * s);
+    fit.add(upper, glm::mix(shoulder, elbow, 0.45f), elbow, 0.041f * s, true);
+    fit.add(fore, elbow, glm::mix(elbow, wrist, 0.5f), 0.04f * s, true);
+    fit.add(fore, glm::mix(elbow, wrist, 0.5f), wrist, 0.033f * s, true);
     fit.add(body.map.hand[side], wrist, m.fingertips[side] - 0.2f * (m.fingertips[side] - wrist),
-            0.038f * s);
+            0.038f * s, true);
 
     const int thigh = body.map.thigh[side], shin = body.map.shin[side];
     const glm::vec3 hip = m.hip[side], knee = m.knee[side], ankle = m.ankle[side];
@@ -117,7 +119,7 @@ void fitAnything(Body& body) {
     // Towards the head a bone stops short, so that its round end stays inside.
     const float end = static_cast<int>(j) == body.map.head ? 0.8f : 1.0f;
     body.capsules.push_back({parent, parent, glm::vec3(0), end * skeleton.offsets[j],
-                             std::clamp(0.2f * length, 0.02f, 0.12f)});
+                             std::clamp(0.2f * length, 0.02f, 0.12f), false});
   }
 }
 
@@ -133,12 +135,47 @@ void fitCapsules(Body& body) {
   fitLimbs(body, marks, fit);
 }
 
+namespace {
+
+bool isTrunk(const Body& body, const BodyCapsule& capsule) {
+  const BodyMap& map = body.map;
+  const auto is = [&](int joint) {
+    return joint == map.hips || joint == map.chest || joint == map.neck ||
+           std::find(map.spine.begin(), map.spine.end(), joint) != map.spine.end();
+  };
+  return is(capsule.jointA) && is(capsule.jointB);
+}
+
+}  // namespace
+
 void placeCapsules(const Body& body, std::span<const RigidTransform> worldFromJoint,
                    std::span<Capsule> out) {
   for (std::size_t c = 0; c < body.capsules.size(); ++c) {
     const BodyCapsule& capsule = body.capsules[c];
     out[c] = {worldFromJoint[index(capsule.jointA)].point(capsule.a),
               worldFromJoint[index(capsule.jointB)].point(capsule.b), capsule.radius};
+  }
+}
+
+void makeRoomForHair(const Body& body, const RigidTransform& worldFromHead,
+                     std::span<Capsule> capsules) {
+  constexpr float kRoom = 0.008f, kLeast = 0.25f;
+  // The hairy part of a head, as two balls.
+  const float s = body.size;
+  const glm::vec3 skull = worldFromHead.point(s * glm::vec3(0, 0.115f, -0.01f));
+  const glm::vec3 face = worldFromHead.point(s * glm::vec3(0, 0.06f, 0.03f));
+  const Capsule head[] = {{skull, skull, 0.092f * s}, {face, face, 0.078f * s}};
+  for (std::size_t c = 0; c < capsules.size(); ++c) {
+    if (!body.capsules[c].yields) continue;
+    float room = capsules[c].radius;
+    const auto leave = [&](const Capsule& other) {
+      room = std::min(room, axisDistance(capsules[c], other) - other.radius - kRoom);
+    };
+    for (const Capsule& ball : head) leave(ball);
+    for (std::size_t o = 0; o < capsules.size(); ++o)
+      // Legs and the upper arms' roots, which an arm cannot come away from, do not count.
+      if (!body.capsules[o].yields && isTrunk(body, body.capsules[o])) leave(capsules[o]);
+    capsules[c].radius = std::max(room, kLeast * capsules[c].radius);
   }
 }
 

@@ -17,4 +17,9 @@ void fitCapsules(Body& body);
 void placeCapsules(const Body& body, std::span<const RigidTransform> worldFromJoint,
                    std::span<Capsule> out);
 
+/// Thins the arms where they press against trunk or head, so that hair caught between them has
+/// somewhere to be: in a pinch no position is outside of both. `capsules` as placed above.
+void makeRoomForHair(const Body& body, const RigidTransform& worldFromHead,
+                     std::span<Capsule> capsules);
+
 }  // namespace hair

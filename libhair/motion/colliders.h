@@ -21,4 +21,16 @@ inline glm::vec4 distanceAndGradient(const Capsule& c, glm::vec3 p) {
   return {r > 1e-9f ? out / r : glm::vec3(0, 1, 0), r - c.radius};
 }
 
+/// Least distance between the axes of two capsules, metres.
+/// Ericson 2005, "Real-Time Collision Detection", section 5.1.9.
+inline float axisDistance(const Capsule& p, const Capsule& q) {
+  const glm::vec3 u = p.b - p.a, v = q.b - q.a, w = p.a - q.a;
+  const float uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v), uw = glm::dot(u, w),
+              vw = glm::dot(v, w), det = uu * vv - uv * uv;
+  float s = det > 1e-12f ? glm::clamp((uv * vw - uw * vv) / det, 0.0f, 1.0f) : 0.0f;
+  const float t = vv > 1e-12f ? glm::clamp((uv * s + vw) / vv, 0.0f, 1.0f) : 0.0f;
+  s = uu > 1e-12f ? glm::clamp((uv * t - uw) / uu, 0.0f, 1.0f) : 0.0f;
+  return glm::length(w + s * u - t * v);
+}
+
 }  // namespace hair

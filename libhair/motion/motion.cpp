@@ -71,6 +71,7 @@ void Motion::pose(double seconds, BodyPose& out) const {
   poseAtTime(clip_, seconds, out.worldFromJoint);
   out.worldFromHead = worldFromHead(body_, out.worldFromJoint);
   placeCapsules(body_, out.worldFromJoint, out.capsules);
+  makeRoomForHair(body_, out.worldFromHead, out.capsules);
 }
 
 }  // namespace hair

@@ -172,7 +172,10 @@ TEST(Colliders, MoveContinuouslyAndKeepTheirCount) {
       for (std::size_t k = 0; k < 5; ++k)
         motion.pose(t + static_cast<double>(k) * frame / 4.0, poses[k]);
       for (std::size_t c = 0; c < count; ++c) {
-        ASSERT_EQ(poses[0].capsules[c].radius, poses[4].capsules[c].radius);
+        // Only where an arm presses against something does it change its width, and not at once.
+        ASSERT_NEAR(poses[0].capsules[c].radius, poses[4].capsules[c].radius,
+                    glm::distance(poses[0].capsules[c].a, poses[4].capsules[c].a) +
+                        glm::distance(poses[0].capsules[c].b, poses[4].capsules[c].b) + 0.05f);
         float sum = 0, most = 0;
         for (std::size_t k = 0; k < 4; ++k) {
           const Capsule &a = poses[k].capsules[c], &b = poses[k + 1].capsules[c];
