@@ -17,7 +17,7 @@
 namespace hair {
 
 /// How the window shows self-shadowing.
-enum class ShadowView { Off, On, SideBySide };
+enum class ShadowView : std::uint8_t { Off, On, SideBySide };
 
 /// All that the panel sets: plain values, grouped by what has to be done when they change.
 struct Controls {

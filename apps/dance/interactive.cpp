@@ -1,7 +1,6 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include <apps/common/results.h>
@@ -42,7 +41,7 @@ class Interactive {
 
   const DanceOptions& options_;
   draw::Window window_;
-  std::optional<draw::Renderer> renderer_;
+  std::unique_ptr<draw::Renderer> renderer_;
   int rendererSamples_ = 0;
   Controls controls_;
   Readout readout_;
@@ -70,8 +69,8 @@ void Interactive::makeRenderer() {
   if (rendererSamples_ == controls_.samples) return;
   draw::RenderSettings settings{controls_.samples, 2048, 60000};
   if (readout_.softwareDrawing) settings.shadowMapSize = 1024, settings.shadowHairSegments = 20000;
-  renderer_.reset();
-  renderer_.emplace(settings);
+  renderer_.reset();  // gives its memory back first
+  renderer_ = std::make_unique<draw::Renderer>(settings);
   rendererSamples_ = controls_.samples;
 }
 
@@ -83,6 +82,7 @@ void Interactive::grow() {
     show_ = std::move(next);
     readout_.failure.clear();
     readout_.history = {};
+    pace_ = Pace(options_.performance.fps);
     readout_.grown = controls_.growth;
     readout_.notes = show_->subject.notes;
     for (const std::string& note : show_->subject.notes) std::cerr << note << '\n';
@@ -98,7 +98,10 @@ void Interactive::obey(const Requests& asked, const draw::WindowRequests& keys) 
   if (keys.panel) panelShown_ = !panelShown_;
   stepAsked_ = asked.step || keys.step;
   if (stepAsked_) controls_.paused = true;
-  if (asked.reset || keys.reset) show_->performance.restart();
+  if (asked.reset || keys.reset) {
+    show_->performance.restart();
+    pace_ = Pace(options_.performance.fps);
+  }
   if (controls_.ownLook) controls_.look = show_->subject.look;
   show_->apply(controls_);
   makeRenderer();
