@@ -1,7 +1,9 @@
 #include <apps/common/performance.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include <libhair/core/error.h>
 #include <libhair/core/state_hash.h>
@@ -65,6 +67,25 @@ void Performance::step() {
 void Performance::relight() {
   FrameProfile unused{};
   light(settings, hair, unused);
+}
+
+void Performance::setSelfCollision(bool on, const RepulsionSettings& repulsion) {
+  const bool sameMap = repulsion.kind == settings.repulsion.kind &&
+                       repulsion.cellSize == settings.repulsion.cellSize &&
+                       repulsion.cells == settings.repulsion.cells;
+  if (on && (hair.repulsion.allowed.empty() || !sameMap)) {
+    FrameSettings atRest = settings;
+    atRest.selfCollision = true;
+    atRest.repulsion = repulsion;
+    const BodyPose first = subject.motion.pose(0);
+    hair.repulsion = std::move(
+        Hair(subject.groom, atRest, {first.worldFromHead, first.capsules}, hair.head).repulsion);
+  }
+  // What was felt before hair-hair contact was last off is of no use now.
+  if (!settings.selfCollision)
+    std::fill(hair.repulsion.push.begin(), hair.repulsion.push.end(), LaneVec3{});
+  settings.selfCollision = on;
+  settings.repulsion = repulsion;
 }
 
 void StatsLog::add(const Performance& p) {

@@ -33,6 +33,9 @@ class Performance {
   void step();
   /// Shadows and shades again without moving (camera, light or settings have changed).
   void relight();
+  /// Turns self-collision on or off, or to other settings, in the middle of a performance. What the
+  /// groom allows is learnt again where that depends on them.
+  void setSelfCollision(bool on, const RepulsionSettings& repulsion);
 
   const Subject& subject;
   FrameSettings settings;  ///< may be changed between frames

@@ -29,9 +29,8 @@ glm::mat4 matrixOf(const RigidTransform& t) {
   return m;
 }
 
-// The head's colours: the hair's own where roots are close, so that no skin shows between the few
-// strands that are drawn.
-std::vector<glm::vec3> dyedScalp(const Performance& performance) {
+// How bare the head is of hair: 0 where roots are close, 1 away from them.
+std::vector<float> bareness(const Performance& performance) {
   const TriangleMesh& mesh = performance.subject.head.mesh;
   const StrandView strands = performance.hair.strands();
   const RigidTransform headFromWorld = inverse(performance.pose.worldFromHead);
@@ -39,34 +38,30 @@ std::vector<glm::vec3> dyedScalp(const Performance& performance) {
   const std::size_t stride = std::max<std::size_t>(1, strands.strandCount() / 4000);
   for (std::size_t s = 0; s < strands.strandCount(); s += stride)
     roots.push_back(headFromWorld.point(strands.strand(s).front()));
-  std::vector<glm::vec3> colours(mesh.positions.size());
-  parallelFor(colours.size(), 256, [&](std::size_t begin, std::size_t end) {
+  std::vector<float> bare(mesh.positions.size());
+  parallelFor(bare.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       float nearest2 = 1;
       for (glm::vec3 root : roots) {
         const glm::vec3 d = mesh.positions[v] - root;
         nearest2 = std::min(nearest2, glm::dot(d, d));
       }
-      const float bare = glm::smoothstep(0.004f, 0.010f, std::sqrt(nearest2));
-      // A factor of the skin's colour (MeshLayer).
-      const glm::vec3 dyed = 0.8f * performance.settings.look.rootColour / draw::MeshLayer{}.colour;
-      colours[v] = glm::mix(dyed, glm::vec3(1), bare);
+      bare[v] = glm::smoothstep(0.004f, 0.010f, std::sqrt(nearest2));
     }
   });
-  return colours;
+  return bare;
 }
 
 }  // namespace
 
 Staging::Staging(Performance& performance)
-    : performance_(performance), scalp_(dyedScalp(performance)) {
+    : performance_(performance), bare_(bareness(performance)) {
   const Subject& subject = performance.subject;
   scene.light.direction = performance.settings.light.direction;
   headBefore_ = performance.pose.worldFromHead.point(skull(subject));
   scene.ground.height = subject.motion.floorHeight();
   scene.meshes.resize(2);
   scene.meshes[0].mesh = &subject.head.mesh;
-  scene.meshes[0].vertexColours = scalp_;
   scene.meshes[1].mesh = &body_;
   scene.meshes[1].colour = {0.16f, 0.18f, 0.22f};  // dressed
   scene.meshes[1].roughness = 0.8f;
@@ -86,7 +81,21 @@ void Staging::frameHead(float yaw, float pitch, float distance) {
   scene.camera.pitch = pitch;
 }
 
+// The scalp has the hair's own colour, so that no skin shows between the few strands that are
+// drawn.
+void Staging::dyeScalp() {
+  const glm::vec3 dye = performance_.settings.look.rootColour;
+  if (dye == dye_ && !scalp_.empty()) return;
+  dye_ = dye;
+  scalp_.resize(bare_.size());
+  // Factors of the skin's colour (MeshLayer).
+  const glm::vec3 dyed = 0.8f * dye / draw::MeshLayer{}.colour;
+  for (std::size_t v = 0; v < bare_.size(); ++v) scalp_[v] = glm::mix(dyed, glm::vec3(1), bare_[v]);
+  scene.meshes[0].vertexColours = scalp_;
+}
+
 void Staging::updateMeshes() {
+  dyeScalp();
   const Subject& subject = performance_.subject;
   for (draw::MeshLayer& layer : scene.meshes)
     if (layer.mesh != &body_) layer.worldFromMesh = matrixOf(performance_.pose.worldFromHead);
@@ -107,7 +116,8 @@ void Staging::updateHair(draw::Renderer& renderer) {
   layer.shadowWidth = groom.fibre.width * groom.fibre.opacity * groom.fibre.hairsPerStrand;
   if (headShadowsHair) renderer.meshVisibility(scene, hair.wisps.points, hair.visibility);
   if (scene.light.direction != settings.light.direction) {
-    settings.light.direction = glm::normalize(scene.light.direction);
+    // Both get the same bits, or every picture would shadow again.
+    settings.light.direction = scene.light.direction = glm::normalize(scene.light.direction);
     performance_.relight();
   } else {
     shadeKajiyaKay(hair.strands(), hair.transmittance, hair.visibility, settings.light,
@@ -135,7 +145,7 @@ void Staging::updateInternals() {
   if (shown.colliders)
     for (const Capsule& c : performance_.pose.capsules)
       scene.debug.capsule(c, draw::packColour({0.2f, 0.7f, 1.0f, 0.8f}));
-  if (shown.cells && !hair.map.empty()) {
+  if (shown.cells && performance_.settings.shadow && !hair.map.empty()) {
     const DensityMap& map = hair.map;
     for (int i = map.lower.x; i <= map.upper.x; ++i)
       for (int k = map.lower.z; k <= map.upper.z; ++k)

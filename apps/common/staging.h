@@ -37,13 +37,16 @@ class Staging {
   bool headShadowsHair = true;
 
  private:
+  void dyeScalp();
   void updateMeshes();
   void updateHair(draw::Renderer& renderer);
   void updateInternals();
 
   Performance& performance_;
   TriangleMesh body_;
-  std::vector<glm::vec3> scalp_;           ///< [head vertexCount], darker under the hair
+  std::vector<float> bare_;                ///< [head vertexCount], 0 under the hair
+  std::vector<glm::vec3> scalp_;           ///< [head vertexCount], of the hair's colour there
+  glm::vec3 dye_{0};                       ///< that colour
   std::vector<std::uint32_t> unshadowed_;  ///< colours of the left half, side by side
   glm::vec3 headBefore_;
 };

@@ -13,11 +13,11 @@ struct DanceOptions {
   SubjectOptions subject;
   PerformanceOptions performance;
   int threads = 0;
-  bool headless = false;                       ///< --headless, or no display
-  int frames = 0;                              ///< --frames; 0: the whole motion
-  int width = 1280, height = 720;              ///< --width, --height, pixels
-  double videoFps = 30;                        ///< --video-fps, pictures a second of the video
-  bool sideBySide = false;                     ///< --side-by-side
+  bool headless = false;           ///< --headless, or no display
+  int frames = 0;                  ///< --frames; 0: the whole motion, or while the window is open
+  int width = 1280, height = 720;  ///< --width, --height, pixels
+  double videoFps = 30;            ///< --video-fps, pictures a second of the video
+  bool sideBySide = false;         ///< --side-by-side
   float yaw = 35, pitch = 4, distance = 1.5f;  ///< --yaw, --pitch (degrees), --distance (metres)
   std::filesystem::path out = "dance.mp4";     ///< --out; the contact sheet has its name and .png
   ResultFiles results;                         ///< --profile, --stats, --hash
@@ -26,7 +26,7 @@ struct DanceOptions {
 /// Simulates the motion and leaves a video and a contact sheet. Returns the exit code.
 int runHeadless(const DanceOptions& options);
 
-/// Opens the window; returns when it is closed.
+/// Opens the window; returns the exit code when it is closed, or `frames` are done.
 int runInteractive(const DanceOptions& options);
 
 }  // namespace hair

@@ -1,21 +1,176 @@
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+#include <apps/common/results.h>
 #include <apps/dance/dance.h>
+#include <apps/dance/pace.h>
+#include <apps/dance/panel.h>
+#include <apps/dance/show.h>
 #include <apps/draw/window.h>
+#include <libhair/core/error.h>
 
 namespace hair {
 
-int runInteractive(const DanceOptions& options) {
-  draw::Window window("dance", options.width, options.height);
-  draw::Renderer renderer({1, 2048, 60000});
-  const Subject subject(options.subject);
-  Performance performance(subject, options.performance);
-  Staging staging(performance);
-  staging.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
-  while (window.beginFrame(staging.scene.camera, staging.scene.light)) {
-    performance.step();
-    renderer.draw(staging.update(renderer), window.width(), window.height());
-    window.endFrame(renderer);
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// A moving average over some ten pictures.
+void follow(double& average, double now) {
+  average = average > 0 ? average + 0.1 * (now - average) : now;
+}
+
+class Interactive {
+ public:
+  explicit Interactive(const DanceOptions& options);
+  int run();
+
+ private:
+  void makeRenderer();
+  void grow();
+  void obey(const Requests& asked, const draw::WindowRequests& keys);
+  void simulate(double seconds);
+  void stepOnce();
+  void drawPicture(bool aboutToGrow);
+
+  const DanceOptions& options_;
+  draw::Window window_;
+  std::unique_ptr<draw::Renderer> renderer_;
+  int rendererSamples_ = 0;
+  Controls controls_;
+  Readout readout_;
+  bool panelShown_ = true, stepAsked_ = false;
+  Pace pace_;
+  double secondsAPicture_ = 0, simulatedAPicture_ = 0;  // averages
+  StatsLog stats_;
+  int framesDone_ = 0;
+  std::unique_ptr<Show> show_;
+};
+
+Interactive::Interactive(const DanceOptions& options)
+    : options_(options),
+      window_("dance", options.width, options.height),
+      controls_(controlsOf(options)),
+      pace_(options.performance.fps) {
+  readout_.softwareDrawing = window_.softwareDrawing();
+  readout_.hairFile = options.subject.hair.filename().string();
+  if (readout_.softwareDrawing) controls_.samples = 1;
+  makeRenderer();
+}
+
+// Multisampling is fixed when a renderer is made.
+void Interactive::makeRenderer() {
+  if (rendererSamples_ == controls_.samples) return;
+  draw::RenderSettings settings{controls_.samples, 2048, 60000};
+  if (readout_.softwareDrawing) settings.shadowMapSize = 1024, settings.shadowHairSegments = 20000;
+  renderer_.reset();  // gives its memory back first
+  renderer_ = std::make_unique<draw::Renderer>(settings);
+  rendererSamples_ = controls_.samples;
+}
+
+// Grows controls_.growth; what cannot be grown leaves everything as it is.
+void Interactive::grow() {
+  try {
+    auto next = std::make_unique<Show>(options_, controls_.growth);
+    if (show_) next->takeOver(show_->staging.scene);
+    show_ = std::move(next);
+    readout_.failure.clear();
+    readout_.history = {};
+    pace_ = Pace(options_.performance.fps);
+    readout_.grown = controls_.growth;
+    readout_.notes = show_->subject.notes;
+    for (const std::string& note : show_->subject.notes) std::cerr << note << '\n';
+  } catch (const Error& error) {
+    if (!show_) throw;
+    readout_.failure = error.what();
+    controls_.growth = readout_.grown;
   }
+}
+
+void Interactive::obey(const Requests& asked, const draw::WindowRequests& keys) {
+  if (keys.pause) controls_.paused = !controls_.paused;
+  if (keys.panel) panelShown_ = !panelShown_;
+  stepAsked_ = asked.step || keys.step;
+  if (stepAsked_) controls_.paused = true;
+  if (asked.reset || keys.reset) {
+    show_->performance.restart();
+    pace_ = Pace(options_.performance.fps);
+  }
+  if (controls_.ownLook) controls_.look = show_->subject.look;
+  show_->apply(controls_);
+  makeRenderer();
+}
+
+void Interactive::stepOnce() {
+  show_->performance.step();
+  readout_.history.frames.add(show_->performance.profile);
+  if (!options_.results.stats.empty()) stats_.add(show_->performance);
+  if (++framesDone_ == options_.frames) window_.close();
+}
+
+void Interactive::simulate(double seconds) {
+  const int due = controls_.paused ? stepAsked_ : pace_.framesDue(seconds, controls_.speed);
+  int run = 0;
+  while (run < due && (options_.frames == 0 || framesDone_ < options_.frames)) stepOnce(), ++run;
+  readout_.droppedSeconds = pace_.droppedSeconds();
+  if (seconds <= 0) return;  // the first picture
+  follow(secondsAPicture_, seconds);
+  follow(simulatedAPicture_, controls_.paused ? 0 : run / options_.performance.fps);
+  readout_.picturesPerSecond = 1 / secondsAPicture_;
+  readout_.simulatedPerSecond = controls_.paused ? 0 : simulatedAPicture_ / secondsAPicture_;
+}
+
+void Interactive::drawPicture(bool aboutToGrow) {
+  if (aboutToGrow) drawNotice("Growing hair, please wait ...");
+  const auto start = Clock::now();
+  renderer_->draw(show_->staging.update(*renderer_), window_.width(), window_.height());
+  // Waiting for the picture keeps the CPU from running ahead: only while someone looks at times.
+  if (panelShown_ && readout_.timesShown) {
+    window_.finish();
+    readout_.history.pictures.add(static_cast<float>(1e3 * secondsSince(start)));
+  }
+  window_.endFrame(*renderer_);
+}
+
+int Interactive::run() {
+  draw::Scene empty;
+  empty.ground.visible = false;
+  if (!window_.beginFrame(empty.camera, empty.light)) return 0;
+  drawNotice("Growing hair, please wait ...");
+  renderer_->draw(empty, window_.width(), window_.height());
+  window_.endFrame(*renderer_);
+  grow();
+
+  bool fresh = true;
+  auto before = Clock::now();
+  while (window_.beginFrame(show_->staging.scene.camera, show_->staging.scene.light)) {
+    const double seconds = std::exchange(fresh, false) ? 0 : secondsSince(before);
+    before = Clock::now();
+    show_->report(readout_);
+    const Requests asked = panelShown_ ? drawPanel(controls_, readout_) : Requests{};
+    obey(asked, window_.requests());
+    window_.setMargin(panelShown_ ? readout_.panelWidth : 0);
+    simulate(seconds);
+    drawPicture(asked.grow);
+    if (asked.grow) {
+      grow();
+      fresh = true;  // that was no time to catch up with
+    }
+  }
+  writeResults(options_.results, show_->performance, stats_);
   return 0;
+}
+
+}  // namespace
+
+int runInteractive(const DanceOptions& options) {
+  return Interactive(options).run();
 }
 
 }  // namespace hair

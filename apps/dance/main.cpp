@@ -19,7 +19,8 @@ int program(int argc, char** argv) {
   addResultOptions(app, options.results);
   app.add_flag("--headless", options.headless, "no window, even where there is a display");
   app.add_option("--frames", options.frames,
-                 "headless: frames to simulate; default: the whole motion")
+                 "frames to simulate, then stop; default: the whole motion, or until the window is "
+                 "closed")
       ->check(CLI::Range(1, 10'000'000));
   app.add_option("--out", options.out,
                  "headless: the video; default dance.mp4, with dance.png beside it")
@@ -40,7 +41,7 @@ int program(int argc, char** argv) {
       "  dance --style curly --motion dance.bvh --headless --out curly.mp4\n"
       "  dance --hair sintel.tfx --head sintel.obj --side-by-side\n"
       "In the window: left drag orbits, right drag moves the light, wheel zooms; space pauses,\n"
-      "S steps, R resets.\n"
+      "S steps, R resets, Tab hides the panel.\n"
       "Exit codes: 0 done, 1 bad input, 2 bad usage.");
   try {
     app.parse(argc, argv);

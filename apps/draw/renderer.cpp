@@ -165,8 +165,8 @@ Picture Renderer::read() const {
   return picture;
 }
 
-void Renderer::present(int windowWidth, int windowHeight) const {
-  state->targets.present(windowWidth, windowHeight);
+void Renderer::present(int left, int width, int height) const {
+  state->targets.present(left, width, height);
 }
 
 }  // namespace hair::draw

@@ -39,8 +39,9 @@ class Renderer {
   void read(Picture& picture) const;
   Picture read() const;
 
-  /// Copies what was drawn last to the window's own framebuffer of the given size.
-  void present(int windowWidth, int windowHeight) const;
+  /// Copies what was drawn last to a part of the window's own framebuffer, scaled to fit: `width`
+  /// by `height` pixels that start `left` pixels from the window's left edge and at its bottom.
+  void present(int left, int width, int height) const;
 
  private:
   struct State;

@@ -57,12 +57,13 @@ void Targets::read(Picture& picture) const {
   }
 }
 
-void Targets::present(int windowWidth, int windowHeight) const {
+void Targets::present(int left, int windowWidth, int windowHeight) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   // The bytes are sRGB already, and a window's framebuffer shows bytes as they are.
   glDisable(GL_FRAMEBUFFER_SRGB);
-  glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, windowWidth, windowHeight, GL_COLOR_BUFFER_BIT,
+  glBlitFramebuffer(0, 0, size.x, size.y, left, 0, left + windowWidth, windowHeight,
+                    GL_COLOR_BUFFER_BIT,
                     size == glm::ivec2(windowWidth, windowHeight) ? GL_NEAREST : GL_LINEAR);
 }
 

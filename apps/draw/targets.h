@@ -22,7 +22,7 @@ class Targets {
   void bind() const;
   void resolve() const;
   void read(Picture& picture) const;
-  void present(int windowWidth, int windowHeight) const;
+  void present(int left, int windowWidth, int windowHeight) const;
 
  private:
   glm::ivec2 size{0};

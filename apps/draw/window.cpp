@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 #include <epoxy/gl.h>
 // After the loader, which brings its own gl.h.
@@ -42,7 +43,8 @@ void turnLight(Light& light, const Camera& camera, float rightBy, float upBy) {
 
 struct Window::State {
   GLFWwindow* window = nullptr;
-  int width = 1, height = 1;
+  int width = 1, height = 1;  // of the framebuffer, pixels
+  int margin = 0;             // of it, left of the picture
   double cursorX = 0, cursorY = 0, wheel = 0;
   ImGuiContext* panel = nullptr;
   WindowRequests requests;
@@ -66,9 +68,9 @@ bool windowAvailable() {
     return value && *value;
   };
   // The GLFW of today's distributions opens windows through X, under Wayland too.
-  if (!set("DISPLAY") || !glfwInit()) return false;
-  glfwTerminate();
-  return true;
+  // No glfwTerminate: a display server that loses its only client starts anew, and for a moment
+  // answers nobody. The window takes the connection over.
+  return set("DISPLAY") && glfwInit();
 }
 
 Window::Window(const std::string& title, int width, int height) : state(std::make_unique<State>()) {
@@ -83,7 +85,8 @@ Window::Window(const std::string& title, int width, int height) : state(std::mak
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   state->window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
-  require(state->window != nullptr, "cannot open a window with OpenGL 3.3: ", glfwComplaint());
+  require(state->window != nullptr, "cannot open a window with OpenGL 3.3: ", glfwComplaint(),
+          "; --headless does without");
   glfwMakeContextCurrent(state->window);
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(state->window, state.get());
@@ -98,6 +101,7 @@ Window::Window(const std::string& title, int width, int height) : state(std::mak
     if (key == GLFW_KEY_SPACE && action == GLFW_PRESS) r.pause = !r.pause;
     if (key == GLFW_KEY_S) r.step = true;
     if (key == GLFW_KEY_R && action == GLFW_PRESS) r.reset = true;
+    if (key == GLFW_KEY_TAB && action == GLFW_PRESS) r.panel = !r.panel;
   });
 
   IMGUI_CHECKVERSION();
@@ -164,18 +168,39 @@ WindowRequests Window::requests() const {
 
 void Window::endFrame(const Renderer& renderer) {
   ImGui::Render();
-  renderer.present(state->width, state->height);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  renderer.present(state->margin, width(), height());
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, state->width, state->height);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(state->window);
 }
 
+void Window::setMargin(float units) {
+  const float pixels = units * ImGui::GetIO().DisplayFramebufferScale.x;
+  state->margin = std::clamp(static_cast<int>(pixels), 0, state->width - 1);
+}
+
 int Window::width() const {
-  return state->width;
+  return std::max(1, state->width - state->margin);
 }
 int Window::height() const {
   return state->height;
+}
+
+void Window::finish() const {
+  glFinish();
+}
+
+bool Window::softwareDrawing() const {
+  const auto* bytes = glGetString(GL_RENDERER);
+  const std::string_view name = bytes ? reinterpret_cast<const char*>(bytes) : "";
+  for (const std::string_view software : {"llvmpipe", "softpipe", "SwiftShader", "Software"})
+    if (name.find(software) != std::string_view::npos) return true;
+  return false;
 }
 
 void Window::close() {

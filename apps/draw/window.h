@@ -12,6 +12,7 @@ struct WindowRequests {
   bool pause = false;  ///< space: pause or go on
   bool step = false;   ///< S: one frame
   bool reset = false;  ///< R: back to the start
+  bool panel = false;  ///< Tab: show or hide the panel
 };
 
 /// A window with an OpenGL 3.3 core context, the mouse on camera and light, and Dear ImGui.
@@ -41,9 +42,19 @@ class Window {
   /// Shows what the renderer drew last, the panel over it.
   void endFrame(const Renderer& renderer);
 
-  /// The framebuffer in pixels (not the window in screen units); at least 1.
+  /// Keeps the picture off the left part of the window, where a panel stands: screen units, as
+  /// ImGui counts. 0, the default: nothing.
+  void setMargin(float units);
+
+  /// The picture in pixels (not the window in screen units): the framebuffer but for the margin; at
+  /// least 1.
   int width() const;
   int height() const;
+
+  /// Waits until all that was drawn so far is done (to measure how long it takes).
+  void finish() const;
+  /// No graphics card: OpenGL is computed by the CPU, and pictures are dear.
+  bool softwareDrawing() const;
 
   void close();
 

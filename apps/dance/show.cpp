@@ -1,0 +1,109 @@
+#include <apps/dance/show.h>
+
+#include <cmath>
+
+namespace hair {
+
+namespace {
+
+SubjectOptions subjectOf(const DanceOptions& options, const Controls::Growth& growth) {
+  SubjectOptions subject = options.subject;
+  if (!growth.fromFile) {
+    subject.hair.clear();
+    subject.heads.clear();
+    subject.style = growth.style;
+  }
+  subject.strands = static_cast<std::uint32_t>(growth.strands);
+  return subject;
+}
+
+glm::vec3 velocityOf(const Controls::Breeze& wind) {
+  const float around = glm::radians(wind.towards), up = glm::radians(wind.up);
+  return wind.speed *
+         glm::vec3(std::sin(around) * std::cos(up), std::sin(up), std::cos(around) * std::cos(up));
+}
+
+}  // namespace
+
+Controls controlsOf(const DanceOptions& options) {
+  Controls c;
+  c.growth.fromFile = !options.subject.hair.empty();
+  c.growth.style = options.subject.style;
+  c.growth.strands = static_cast<int>(options.subject.strands);
+  c.shadow.cells = options.performance.cells;
+  if (!options.performance.shadow)
+    c.shadow.view = ShadowView::Off;
+  else if (options.sideBySide)
+    c.shadow.view = ShadowView::SideBySide;
+  c.selfCollision.on = options.performance.selfCollision;
+  const glm::vec3 wind = options.performance.wind;
+  c.wind.speed = glm::length(wind);
+  if (c.wind.speed > 0) {
+    c.wind.towards = glm::degrees(std::atan2(wind.x, wind.z));
+    c.wind.up = glm::degrees(std::asin(glm::clamp(wind.y / c.wind.speed, -1.0f, 1.0f)));
+  }
+  return c;
+}
+
+Show::Show(const DanceOptions& options, const Controls::Growth& growth)
+    : subject(subjectOf(options, growth)),
+      performance(subject, options.performance),
+      staging(performance),
+      applied_(controlsOf(options)),
+      mapExtent_(performance.settings.map.extent()) {
+  staging.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
+}
+
+void Show::apply(const Controls& c) {
+  FrameSettings& settings = performance.settings;
+  settings.look = c.look;
+  staging.headShadowsHair = c.headShadowsHair;
+  staging.follow = c.follow;
+  staging.shown = c.internals;
+  staging.scene.debug.onTop = c.internalsOnTop;
+  staging.scene.ground.visible = c.ground;
+  staging.scene.hair[0].primitive = c.primitive;
+  staging.scene.sideBySide = c.shadow.view == ShadowView::SideBySide;
+
+  if (c.selfCollision != applied_.selfCollision) {
+    RepulsionSettings repulsion = settings.repulsion;
+    repulsion.kind = c.selfCollision.kind;
+    repulsion.strength = c.selfCollision.strength;
+    performance.setSelfCollision(c.selfCollision.on, repulsion);
+  }
+  if (c.wind != applied_.wind) {
+    settings.wind.velocity = velocityOf(c.wind);
+    settings.wind.gust = c.wind.gust;
+  }
+  if (c.shadow != applied_.shadow) {
+    settings.shadow = c.shadow.view != ShadowView::Off;
+    settings.map.cells = c.shadow.cells;
+    settings.map.cellSize = mapExtent_ / static_cast<float>(c.shadow.cells);
+    settings.map.deposit = c.shadow.deposit;
+    settings.map.filter = c.shadow.filter;
+    performance.relight();
+  }
+  applied_ = c;
+}
+
+void Show::takeOver(const draw::Scene& before) {
+  staging.scene.camera.yaw = before.camera.yaw;
+  staging.scene.camera.pitch = before.camera.pitch;
+  staging.scene.camera.distance = before.camera.distance;
+  staging.scene.light = before.light;
+}
+
+void Show::report(Readout& r) const {
+  const Hair& hair = performance.hair;
+  r.strands = hair.strands().strandCount();
+  r.points = hair.strands().pointCount();
+  r.guides = hair.guides.guideCount();
+  r.guidePoints = r.guides * hair.guides.pointsPerGuide();
+  r.saturatedCells = performance.settings.shadow ? hair.map.saturatedCells : 0;
+  r.aliased = performance.settings.shadow && hair.map.aliased();
+  r.cellSize = performance.settings.map.cellSize;
+  r.time = performance.time;
+  r.duration = subject.motion.duration();
+}
+
+}  // namespace hair
