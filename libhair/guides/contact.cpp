@@ -1,5 +1,7 @@
 #include <libhair/guides/contact.h>
 
+#include <algorithm>
+
 #include <libhair/model/mesh_sdf.h>
 
 namespace hair {
@@ -9,7 +11,7 @@ namespace {
 // Farther than anything reaches in a substep.
 constexpr float kFar = 1e3f;
 // Farther than most points go in a substep: those that do look again (stepGuides).
-constexpr float kFarFromHead = 0.01f;
+constexpr float kFarEnough = 0.01f;
 
 // Where the axis of a capsule is nearest to points: a + t · axis.
 struct Foot {
@@ -43,25 +45,29 @@ void nearerCapsule(LaneVec3 p, const NearCapsule& capsule, Lanes reach, ContactP
   best.distance = nearer ? d : best.distance;
 }
 
-void nearerHead(LaneVec3 p, Lanes clearance, const ColliderState& colliders, ContactPlane& best) {
+// The same for the head, in the lanes that may be near it; `known` is made exact.
+void nearerHead(LaneVec3 p, Lanes keep, const ColliderState& colliders, Lanes& known,
+                ContactPlane& best) {
   const glm::mat3 worldFromHead = glm::mat3_cast(colliders.worldFromHead.rotation);
-  const glm::mat3 headFromWorld = glm::transpose(worldFromHead);
   for (std::size_t l = 0; l < kLanes; ++l) {
-    const glm::vec3 world(p.x[l], p.y[l], p.z[l]);
-    const glm::vec3 local = headFromWorld * (world - colliders.worldFromHead.translation);
-    const float d = colliders.head->distance(local) - clearance[l];
+    if (known[l] > kFarEnough) {
+      best.distance[l] = std::min(best.distance[l], known[l]);
+      continue;
+    }
+    const glm::vec3 world = lane(p, l);
+    const glm::vec3 local = (world - colliders.worldFromHead.translation) * worldFromHead;
+    const float d = colliders.head->distance(local) - keep[l];
+    known[l] = d;
     if (!(d < best.distance[l])) continue;
-    if (d > kFarFromHead) {
-      best.distance[l] = d;
+    best.distance[l] = d;
+    if (d > kFarEnough) {
       best.offset[l] = -kFar;
       continue;
     }
     const glm::vec3 normal = worldFromHead * glm::vec3(colliders.head->distanceAndGradient(local));
-    const glm::vec3 move = world - colliders.worldFromHeadBefore.point(local);
-    best.distance[l] = d;
-    best.normal.x[l] = normal.x, best.normal.y[l] = normal.y, best.normal.z[l] = normal.z;
+    setLane(best.normal, l, normal);
+    setLane(best.surfaceMove, l, world - colliders.worldFromHeadBefore.point(local));
     best.offset[l] = glm::dot(normal, world) - d;
-    best.surfaceMove.x[l] = move.x, best.surfaceMove.y[l] = move.y, best.surfaceMove.z[l] = move.z;
   }
 }
 
@@ -77,11 +83,17 @@ NearCapsule nearCapsule(const Capsule& now, const Capsule& before, const LaneVec
 }
 
 ContactPlane nearestPlane(LaneVec3 points, std::uint32_t index, Lanes way, Lanes headClearance,
-                          const ColliderState& colliders, std::span<const NearCapsule> near) {
+                          const ColliderState& colliders, std::span<const NearCapsule> near,
+                          Clearance& clearance) {
   ContactPlane best{{}, lanes(-kFar), {}, lanes(kFar)};
-  for (const NearCapsule& capsule : near)
-    nearerCapsule(points, capsule, capsule.reachOf(index, way), best);
-  if (colliders.head) nearerHead(points, headClearance, colliders, best);
+  if (any(clearance.body < kFarEnough)) {
+    for (const NearCapsule& capsule : near)
+      nearerCapsule(points, capsule, capsule.reachOf(index, way), best);
+    clearance.body = best.distance;
+  } else {
+    best.distance = clearance.body;
+  }
+  if (colliders.head) nearerHead(points, headClearance, colliders, clearance.head, best);
   return best;
 }
 

@@ -52,10 +52,21 @@ struct NearCapsule {
 NearCapsule nearCapsule(const Capsule& now, const Capsule& before, const LaneVec3* anchors,
                         float skin);
 
+/// How far eight points are from body and head at least: what is known before they are looked at,
+/// and more exactly afterwards. A step along a strand takes its length off the head's and twice
+/// that off the body's (as its reach may change as much).
+struct Clearance {
+  Lanes body{}, head{};
+
+  void step(Lanes way) { body = body - 2.0f * way, head = head - way; }
+};
+
 /// The plane of the collider nearest to each of eight points (deepest, where inside), which are
 /// points `index` of their strands, `way` metres after the last anchored one. A lane far from
-/// everything gets a plane that never touches.
+/// everything gets a plane that never touches. Colliders that `clearance` knows to be far are not
+/// looked at.
 ContactPlane nearestPlane(LaneVec3 points, std::uint32_t index, Lanes way, Lanes headClearance,
-                          const ColliderState& colliders, std::span<const NearCapsule> near);
+                          const ColliderState& colliders, std::span<const NearCapsule> near,
+                          Clearance& clearance);
 
 }  // namespace hair

@@ -105,17 +105,21 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
       near[nearCount++] = nearCapsule(capsule, colliders.capsulesBefore[c], anchors, settings.skin);
   }
 
-  const auto look = [&](std::uint32_t i) {
+  const auto look = [&](std::uint32_t i, Clearance clearance) {
     seenAt[i] = x[i];
-    planes[i] = nearestPlane(x[i], i, way[i], g.clearance[i], colliders, {near.data(), nearCount});
+    planes[i] = nearestPlane(x[i], i, way[i], g.clearance[i], colliders, {near.data(), nearCount},
+                             clearance);
+    return clearance;
   };
   planes[0] = ContactPlane{{}, lanes(-1e3f), {}, lanes(1e3f)};
   inverseMass[0] = Lanes{}, touching[0] = LaneMask{}, lambda[0] = Lanes{};
+  Clearance known;
   for (std::uint32_t i = 1; i < n; ++i) {
     inverseMass[i] = 1.0f / g.mass[i];
     touching[i] = LaneMask{}, lambda[i] = Lanes{};
     way[i] = i > kAnchoredPoints ? way[i - 1] + g.linkLength[i - 1] : Lanes{};
-    look(i);
+    known.step(length(x[i] - x[i - 1]));
+    known = look(i, known);
   }
   // Links drag points off; those that went farther than to the collider they saw must look again,
   // and if one is inside another collider by now, all is corrected again.
@@ -139,7 +143,7 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
     for (std::uint32_t i = 1; i < n; ++i) {
       if (!any(length(x[i] - seenAt[i]) > max(planes[i].distance, lanes(0)) + 0.5f * settings.skin))
         continue;
-      look(i);
+      look(i, {});
       again |= any(planes[i].distance < -0.5f * settings.skin);
     }
     if (!again) break;

@@ -21,7 +21,7 @@ struct RepulsionSettings {
   RepulsionKind kind = RepulsionKind::Gradient;
   float cellSize = 0.02f;          ///< metres; of the map of density that guides feel
   int cells = 64;                  ///< along each axis; cells · cellSize as DensityMapSettings says
-  std::uint32_t strandStride = 4;  ///< every so many drawn strands are counted, for all
+  std::uint32_t strandStride = 16; ///< every so many drawn strands are counted, for all
   float threshold = 1.5e6f;        ///< metres of hair per m³ that never push
   float tolerance = 1.3f;          ///< nor does less than the groom's own density times this, >= 1
   float strength = 40;             ///< m/s² on a point where density is twice what it may be

@@ -104,10 +104,27 @@ DensitySample sampleDensity(const DensityMap& map, glm::vec3 p) {
   const glm::vec3 u = map.frame.cellCoordinates(p) - 0.5f;
   const glm::ivec3 c(floorToInt(u.x), floorToInt(u.y), floorToInt(u.z));
   const glm::vec3 f = u - glm::vec3(c);
+  // As DensityMap::density of the eight cells, each axis wrapped once.
+  const auto n = static_cast<std::size_t>(map.settings.cells);
+  std::size_t at[3][2];
+  bool inside[3][2];
+  for (int axis = 0; axis < 3; ++axis)
+    for (int k = 0; k < 2; ++k) {
+      const int cell = c[axis] + k;
+      inside[axis][k] = cell >= map.lower[axis] && cell <= map.upper[axis];
+      at[axis][k] = static_cast<std::size_t>(map.wrap(map.frame.base[axis] + cell));
+    }
+  const float cellSize = map.settings.cellSize;
+  const float perCount = map.quantum / (cellSize * cellSize * cellSize);
   float d[2][2][2];
   for (int x = 0; x < 2; ++x)
     for (int y = 0; y < 2; ++y)
-      for (int z = 0; z < 2; ++z) d[x][y][z] = map.density(c + glm::ivec3(x, y, z));
+      for (int z = 0; z < 2; ++z)
+        d[x][y][z] =
+            inside[0][x] && inside[1][y] && inside[2][z]
+                ? static_cast<float>(map.counts.data()[(at[0][x] * n + at[2][z]) * n + at[1][y]]) *
+                      perCount
+                : 0.0f;
   // Along z, then y, then x; a derivative replaces the mean of two values by their difference.
   float alongZ[2][2], alongY[2], acrossY[2], acrossZ[2];
   for (int x = 0; x < 2; ++x) {

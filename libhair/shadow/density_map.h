@@ -124,6 +124,9 @@ struct DensityMap {
     i += i < 0 ? n : 0;
     i -= i >= n ? n : 0;
     if (static_cast<unsigned>(i) < static_cast<unsigned>(n)) return i;
+    // One turn off is the common case, and a division is slow.
+    if (static_cast<unsigned>(i - n) < static_cast<unsigned>(n)) return i - n;
+    if (static_cast<unsigned>(i + n) < static_cast<unsigned>(n)) return i + n;
     i %= n;
     return i < 0 ? i + n : i;
   }

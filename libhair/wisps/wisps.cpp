@@ -69,8 +69,11 @@ struct Obstacles {
   glm::vec3 inHead(glm::vec3 p) const {
     return (p - colliders.worldFromHead.translation) * worldFromHead;
   }
-  float distance(glm::vec3 p) const {
-    float nearest = colliders.head ? colliders.head->distance(inHead(p)) - headClearance : 1e3f;
+  float headDistance(glm::vec3 p) const {
+    return colliders.head ? colliders.head->distance(inHead(p)) - headClearance : 1e3f;
+  }
+  float bodyDistance(glm::vec3 p) const {
+    float nearest = 1e3f;
     for (std::uint64_t rest = near; rest != 0; rest &= rest - 1) {
       const auto c = static_cast<std::size_t>(__builtin_ctzll(rest));
       nearest = std::min(nearest, distanceAndGradient(colliders.capsules[c], p).w - skin);
@@ -98,12 +101,14 @@ struct Obstacles {
 // long as itself: points closer than that to one that is clear need no look.
 std::uint32_t firstHit(std::span<const glm::vec3> points, std::uint32_t from,
                        const Obstacles& obstacles) {
-  float clear = -1;
+  float head = -1, body = -1;
   for (std::uint32_t k = from; k < points.size(); ++k) {
-    if (k > from) clear -= glm::distance(points[k], points[k - 1]);
-    if (clear > 0) continue;
-    clear = obstacles.distance(points[k]);
-    if (clear < 0) return k;
+    if (k > from) {
+      const float way = glm::distance(points[k], points[k - 1]);
+      head -= way, body -= way;
+    }
+    if (head <= 0 && (head = obstacles.headDistance(points[k])) < 0) return k;
+    if (body <= 0 && (body = obstacles.bodyDistance(points[k])) < 0) return k;
   }
   return static_cast<std::uint32_t>(points.size());
 }
