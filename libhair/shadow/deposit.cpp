@@ -286,28 +286,28 @@ void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, flo
   });
 }
 
-/// Mean length of a segment, over at most 256 strands in a fixed order.
-float meanSegmentLength(StrandView strands) {
+/// Length of hair that a point stands for: the mean over at most 256 strands in a fixed order.
+float lengthOfPoint(StrandView strands) {
   const std::size_t step = std::max<std::size_t>(strands.strandCount() / 256, 1);
   double length = 0;
-  std::size_t segments = 0;
+  std::size_t count = 0;
   for (std::size_t s = 0; s < strands.strandCount(); s += step) {
     const auto points = strands.strand(s);
     length += static_cast<double>(arcLength(points));
-    segments += points.empty() ? 0 : points.size() - 1;
+    count += points.size();
   }
-  return segments > 0 ? static_cast<float>(length / static_cast<double>(segments)) : 0.0f;
+  return count > 0 ? static_cast<float>(length / static_cast<double>(count)) : 0.0f;
 }
 
 /// What one point of Deposit::Points is worth: f · ds, or metres.
 float pointQuantum(StrandView strands, const Fibre& fibre, const DensityMapSettings& settings) {
   const float ds = settings.cellSize;
   if (settings.quantity == Quantity::Length)
-    return meanSegmentLength(strands) * fibre.hairsPerStrand;
+    return lengthOfPoint(strands) * fibre.hairsPerStrand;
   if (settings.pointExtinction > 0) return settings.pointExtinction * ds;
   // Over all directions the sine of the angle to the light is pi / 4 on average.
   constexpr float kMeanSine = 0.785398163f;
-  return meanSegmentLength(strands) * kMeanSine * fibre.width * fibre.hairsPerStrand *
+  return lengthOfPoint(strands) * kMeanSine * fibre.width * fibre.hairsPerStrand *
          fibre.opacity / (ds * ds);
 }
 
