@@ -14,7 +14,7 @@ void factorLane(const GuideStrands& guides, std::size_t group, std::size_t lane,
   for (std::size_t i = 0; i < n; ++i) diagonal[i] = guides.pointMass[group * n + i][lane] / (h * h);
   for (std::size_t i = 0; i < links; ++i) {
     // q_i = d_i - d_(i-1) in terms of points i - 1, i and i + 1.
-    const double kappa = guides.jointStiffness[group * links + i][lane];
+    const double kappa = (1.0 + out.damping) * guides.jointStiffness[group * links + i][lane];
     const double next = 1.0 / guides.linkLength[group * links + i][lane];
     const double before = i > 0 ? 1.0 / guides.linkLength[group * links + i - 1][lane] : 0.0;
     diagonal[i + 1] += kappa * next * next;
@@ -38,54 +38,85 @@ void factorLane(const GuideStrands& guides, std::size_t group, std::size_t lane,
 
 }  // namespace
 
-void factorBending(const GuideStrands& guides, float substep, BendingFactors& factors) {
+void factorBending(const GuideStrands& guides, float substep, float bendDamping,
+                   BendingFactors& factors) {
+  const float damping = bendDamping / substep;
   const std::size_t size = guides.groupCount() * guides.pointsPerGuide();
-  if (factors.substep == substep && factors.inverseD.size() == size) return;
+  if (factors.substep == substep && factors.damping == damping && factors.inverseD.size() == size)
+    return;
   factors.substep = substep;
+  factors.damping = damping;
   for (auto* f : {&factors.inverseD, &factors.below1, &factors.below2}) f->assign(size, Lanes{});
   for (std::size_t g = 0; g < guides.groupCount(); ++g)
     for (std::size_t l = 0; l < kLanes; ++l) factorLane(guides, g, l, substep, factors);
 }
 
-void solveBending(std::uint32_t points, const LaneVec3* curvature, const Lanes* jointStiffness,
-                  const Lanes* linkLength, const Lanes* inverseD, const Lanes* below1,
-                  const Lanes* below2, LaneVec3 tangent, LaneVec3 normal, LaneVec3* force,
-                  LaneVec3* x) {
+namespace {
+
+// Walks a chain from the root and gives the strain of each joint in the frame carried there.
+class StrainWalk {
+ public:
+  explicit StrainWalk(const RootFrame& root)
+      : direction_(root.tangent), tangent_(root.tangent), normal_(root.normal) {}
+
+  // Strain of the joint before the link with these ends; `direction` is over the rest length, as E
+  // is quadratic in the points.
+  LaneVec3 strain(LaneVec3 direction, LaneVec3 curvature) const {
+    const LaneVec3 bent = direction - direction_;
+    return LaneVec3{dot(bent, normal_), dot(bent, cross(tangent_, normal_)), dot(bent, tangent_)} -
+           curvature;
+  }
+  LaneVec3 toWorld(LaneVec3 v) const {
+    return v.x * normal_ + v.y * cross(tangent_, normal_) + v.z * tangent_;
+  }
+  void over(LaneVec3 direction) {
+    const LaneVec3 unit = (1.0f / max(length(direction), lanes(1e-12f))) * direction;
+    normal_ = transportNormal(normal_, tangent_, unit);
+    tangent_ = unit;
+    direction_ = direction;
+  }
+
+ private:
+  LaneVec3 direction_, tangent_, normal_;
+};
+
+}  // namespace
+
+void solveBending(const BendingGroup& group, const RootFrame& root, const RootFrame& rootBefore,
+                  const LaneVec3* before, LaneVec3* force, LaneVec3* x) {
   LaneVec3* r = force;
-  // r = f - grad E(x). Frames are carried along the chain while we go; `before` is the
-  // direction of the link before, over its rest length, as E is quadratic in the points.
-  LaneVec3 before = tangent;
-  const std::uint32_t links = points - 1;
+  const std::uint32_t links = group.points - 1;
+  // r = f - grad E(x) - damping.
+  StrainWalk now(root), then(rootBefore);
   for (std::uint32_t i = 0; i < links; ++i) {
-    const Lanes inverseLength = 1.0f / linkLength[i];
+    const Lanes inverseLength = 1.0f / group.linkLength[i];
     const LaneVec3 d = inverseLength * (x[i + 1] - x[i]);
-    const LaneVec3 binormal = cross(tangent, normal);
-    const LaneVec3 c =
-        curvature[i].x * normal + curvature[i].y * binormal + curvature[i].z * tangent;
-    const LaneVec3 g = jointStiffness[i] * (d - before - c);
+    const LaneVec3 dThen = inverseLength * (before[i + 1] - before[i]);
+    // The rate of the strain is taken in the carried frame, where turning with the head is none.
+    const LaneVec3 e = now.strain(d, group.curvature[i]);
+    const LaneVec3 change = e - then.strain(dThen, group.curvature[i]);
+    const LaneVec3 g = group.jointStiffness[i] * now.toWorld(e + lanes(group.damping) * change);
     // g_i pushes on link i, and back on link i - 1.
     const LaneVec3 onThis = inverseLength * g;
     r[i + 1] = r[i + 1] - onThis;
     r[i] = r[i] + onThis;
     if (i > 0) {
-      const LaneVec3 onBefore = (1.0f / linkLength[i - 1]) * g;
+      const LaneVec3 onBefore = (1.0f / group.linkLength[i - 1]) * g;
       r[i] = r[i] + onBefore;
       r[i - 1] = r[i - 1] - onBefore;
     }
-    const LaneVec3 direction = (1.0f / max(length(d), lanes(1e-12f))) * d;
-    normal = transportNormal(normal, tangent, direction);
-    tangent = direction;
-    before = d;
+    now.over(d);
+    then.over(dThen);
   }
-  // Forward sweep, then backward: delta overwrites r.
+  // Forward sweep, then backward: the movement overwrites r.
   for (std::uint32_t i = 2; i <= links; ++i) {
-    r[i] = r[i] - below1[i] * r[i - 1];
-    if (i > 2) r[i] = r[i] - below2[i] * r[i - 2];
+    r[i] = r[i] - group.below1[i] * r[i - 1];
+    if (i > 2) r[i] = r[i] - group.below2[i] * r[i - 2];
   }
-  for (std::uint32_t i = 1; i <= links; ++i) r[i] = inverseD[i] * r[i];
+  for (std::uint32_t i = 1; i <= links; ++i) r[i] = group.inverseD[i] * r[i];
   for (std::uint32_t i = links; i >= 1; --i) {
-    if (i + 1 <= links) r[i] = r[i] - below1[i + 1] * r[i + 1];
-    if (i + 2 <= links) r[i] = r[i] - below2[i + 2] * r[i + 2];
+    if (i + 1 <= links) r[i] = r[i] - group.below1[i + 1] * r[i + 1];
+    if (i + 2 <= links) r[i] = r[i] - group.below2[i + 2] * r[i + 2];
     x[i] = x[i] + r[i];
   }
 }

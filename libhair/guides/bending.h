@@ -12,25 +12,41 @@ namespace hair {
 /// masses, f the other forces and E the bending energy with rest curvatures held (GuideStrands),
 /// implicit Euler is
 ///     M (y - x) / h² = f - grad E(y):     (M / h² + K) (y - x) = f - grad E(x).
+/// Damping takes kappa_i · bendDamping · (rate of the strain) to the torque of joint i, which makes
+/// K stiffer by bendDamping / h.
 /// At rest the right-hand side is zero, so neither rounding nor the factors can move a groom.
 /// K couples a point with two neighbours on each side, is the same for x, y and z, and does not
 /// change while h stays: one pentadiagonal factorisation, then two sweeps a substep.
 struct BendingFactors {
   float substep = 0;            ///< h they were made for, seconds
+  float damping = 0;            ///< bendDamping / h they were made for
   std::vector<Lanes> inverseD;  ///< [groupCount · pointsPerGuide]; point 0 is the fixed root
   std::vector<Lanes> below1;    ///< L(i, i - 1)
   std::vector<Lanes> below2;    ///< L(i, i - 2)
 };
 
-/// Makes the factors unless they are there for this substep already.
-void factorBending(const GuideStrands& guides, float substep, BendingFactors& factors);
+/// Makes the factors unless they are there for this substep and damping (seconds) already.
+void factorBending(const GuideStrands& guides, float substep, float bendDamping,
+                   BendingFactors& factors);
 
-/// Moves the points x[1 .. points - 1] of one group to y above. `force` [points] is f per linear
-/// density (m²/s²), overwritten. `tangent` and `normal`: the root's frame, world space. The other
-/// pointers: the group's part of the arrays of GuideStrands and BendingFactors.
-void solveBending(std::uint32_t points, const LaneVec3* curvature, const Lanes* jointStiffness,
-                  const Lanes* linkLength, const Lanes* inverseD, const Lanes* below1,
-                  const Lanes* below2, LaneVec3 tangent, LaneVec3 normal, LaneVec3* force,
-                  LaneVec3* x);
+/// The part of a group's arrays that bending reads (GuideStrands, BendingFactors), and its root.
+struct BendingGroup {
+  std::uint32_t points;
+  const LaneVec3* curvature;
+  const Lanes *jointStiffness, *linkLength;
+  const Lanes *inverseD, *below1, *below2;
+  float damping;  ///< bendDamping / h
+};
+
+/// The frame at the roots of a group, world space.
+struct RootFrame {
+  LaneVec3 tangent, normal;
+};
+
+/// Moves the points x[1 .. points - 1] of one group to y above. `before` and `rootBefore`: where
+/// the points and the root's frame were before the substep. `force` [points] is f per linear
+/// density (m²/s²), overwritten.
+void solveBending(const BendingGroup& group, const RootFrame& root, const RootFrame& rootBefore,
+                  const LaneVec3* before, LaneVec3* force, LaneVec3* x);
 
 }  // namespace hair

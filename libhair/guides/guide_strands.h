@@ -33,7 +33,8 @@ class MeshSdf;
 ///     joint,
 /// where the rest curvature c_i is fixed in the frame of link i - 1, and frames are carried along
 /// the chain from the root by parallel transport. c_i holds the torque that gravity asks for at
-/// rest (computed from tip to root), so the groom is an equilibrium.
+/// rest (computed from tip to root), so the groom is an equilibrium. What is in the bars is the
+/// *strain* of joint i; its rate of change is damped.
 class GuideStrands {
  public:
   /// At rest in the groom, on a head at `worldFromHead`. `head` (may be null) is the collider of

@@ -10,6 +10,7 @@ struct GuideSettings {
   float linearDensity = 6.5e-6f;    ///< kg/m; of one hair, 80 µm thick
   float bendingStiffness = 4e-8f;   ///< N·m² (E·I) at the root; one bare hair: about 1e-8
   float tipStiffness = 0.25f;       ///< fraction of it left at the tip, (0, 1]; linear between
+  float bendDamping = 2e-3f;        ///< seconds; bending resists its own speed this long, >= 0
   float airDrag = 2.0f;             ///< 1/s; speed relative to the air decays at this rate
   float friction = 0.3f;            ///< Coulomb's coefficient against colliders, >= 0
   float skin = 3e-3f;               ///< metres that guide points keep from colliders, >= 0

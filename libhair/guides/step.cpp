@@ -81,8 +81,12 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
 
   const glm::mat3 turn = glm::mat3_cast(colliders.worldFromHead.rotation);
   x[0] = rotate(turn, g.restPosition[0]) + broadcast(colliders.worldFromHead.translation);
-  solveBending(n, g.curvature, g.jointStiffness, g.linkLength, g.inverseD, g.below1, g.below2,
-               rotate(turn, g.rootTangent), rotate(turn, g.rootNormal), force.data(), x.data());
+  const glm::mat3 turnBefore = glm::mat3_cast(colliders.worldFromHeadBefore.rotation);
+  solveBending({n, g.curvature, g.jointStiffness, g.linkLength, g.inverseD, g.below1, g.below2,
+                settings.bendDamping / h},
+               {rotate(turn, g.rootTangent), rotate(turn, g.rootNormal)},
+               {rotate(turnBefore, g.rootTangent), rotate(turnBefore, g.rootNormal)}, g.position,
+               force.data(), x.data());
 
   LaneVec3 anchors[kAnchoredPoints];
   for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
@@ -168,7 +172,7 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
           " after; they must be as many, at most ", kMaxCapsules);
   const auto substeps = static_cast<std::size_t>(std::ceil(seconds / settings.substep - 1e-3f));
   const float h = seconds / static_cast<float>(substeps);
-  factorBending(guides, h, workspace.bending);
+  factorBending(guides, h, settings.bendDamping, workspace.bending);
 
   workspace.heads.resize(substeps + 1);
   workspace.capsules.resize((substeps + 1) * capsules);

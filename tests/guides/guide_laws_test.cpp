@@ -37,6 +37,7 @@ GuideSettings bare() {
   GuideSettings settings;
   settings.bendingStiffness = 1e-14f;
   settings.airDrag = 0;
+  settings.bendDamping = 0;
   settings.substep = 1e-3f;
   return settings;
 }
