@@ -76,8 +76,8 @@ void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
   hair.colours.resize(settings.shade ? hair.wisps.points.size() : 0);
   if (settings.shade) {
     const StageTimer timer(profile, Stage::Shade, points);
-    shadeKajiyaKay(hair.strands(), hair.transmittance, hair.visibility, settings.light, settings.look,
-                   hair.colours);
+    shadeKajiyaKay(hair.strands(), hair.transmittance, hair.visibility, settings.light,
+                   settings.look, hair.colours);
   }
 }
 

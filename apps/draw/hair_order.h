@@ -15,8 +15,8 @@ namespace hair::draw {
 /// Orders the segments of strands along the view, for blending. Hair is thinner than a pixel, so it
 /// is drawn half transparent, and only blending from back to front gives each strand its share of
 /// the pixel. Not depth writes without order (front strands drawn first hide the
-/// ones behind: a bright fringe), nor alpha to coverage (strands of one opacity cover the same samples
-/// and never add up to opaque; noise).
+/// ones behind: a bright fringe), nor alpha to coverage (strands of one opacity cover the same
+/// samples and never add up to opaque; noise).
 class HairOrder {
  public:
   /// Takes the strands' topology; cheap when it has not changed. True if it has.

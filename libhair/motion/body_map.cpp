@@ -84,6 +84,7 @@ bool BodyMap::complete() const {
 
 BodyMap mapBody(const Skeleton& skeleton) {
   std::vector<PlainName> names;
+  names.reserve(skeleton.names.size());
   for (const std::string& name : skeleton.names) names.push_back(plainName(name));
 
   BodyMap map;

@@ -98,7 +98,7 @@ constexpr Plant kRightFoot[] = {
 constexpr Key kNever[] = {{0, 0}};
 constexpr Key kRightPasse[] = {{0, 0}, {15.85f, 0}, {16.35f, 1}, {17.55f, 1}, {18.15f, 0}};
 
-constexpr glm::vec3 kHang(.3f, -.95f, .0f), kHangFore(.12f, -.85f, .5f);
+constexpr glm::vec3 kHangFore(.12f, -.85f, .5f);
 constexpr glm::vec3 kGroove(.5f, -.85f, -.2f), kGrooveFore(.05f, .1f, 1.f);
 constexpr glm::vec3 kOpen(.97f, .02f, .15f), kOpenFore(.95f, .12f, .3f);
 constexpr glm::vec3 kOver(.5f, .86f, .0f), kOverFore(-.25f, .95f, .1f);

@@ -85,7 +85,7 @@ Clip clipFromBvh(const Bvh& bvh, float scale) {
     skeleton.names.push_back(joint.name);
     skeleton.parents.push_back(parent);
     skeleton.offsets.push_back(scale * joint.offset);
-    skeleton.tips.push_back(glm::vec3(0));
+    skeleton.tips.emplace_back(0);
   }
 
   clip.rotations.reserve(bvh.frameCount() * source.size());
@@ -108,7 +108,7 @@ Clip clipFromBvh(const Bvh& bvh, float scale) {
           rotation = rotation * glm::angleAxis(glm::radians(static_cast<double>(value)), direction);
         }
       }
-      clip.rotations.push_back(glm::quat(glm::normalize(rotation)));
+      clip.rotations.emplace_back(glm::normalize(rotation));
       clip.positions.push_back(position);
     }
   }

@@ -16,7 +16,8 @@ namespace {
 class RealData : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "real data not found at " << folder;
+    if (!std::filesystem::exists(folder / "hair"))
+      GTEST_SKIP() << "real data not found at " << folder;
   }
   const std::filesystem::path folder = HAIR_DATA_DIR;
 };

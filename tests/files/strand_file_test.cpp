@@ -38,8 +38,8 @@ TEST(ConvertUnits, IsARotationForEveryAxisAndNeverMirrors) {
 
 TEST(ConvertUnits, BringsUpToYAndTheFaceToZ) {
   const std::tuple<UpAxis, glm::vec3, glm::vec3> cases[] = {
-      {UpAxis::Y, {0, 1, 0}, {0, 0, 1}},       {UpAxis::Z, {0, 0, 1}, {0, 1, 0}},
-      {UpAxis::ZBack, {0, 0, 1}, {0, -1, 0}},  {UpAxis::X, {1, 0, 0}, {0, 0, 1}},
+      {UpAxis::Y, {0, 1, 0}, {0, 0, 1}},      {UpAxis::Z, {0, 0, 1}, {0, 1, 0}},
+      {UpAxis::ZBack, {0, 0, 1}, {0, -1, 0}}, {UpAxis::X, {1, 0, 0}, {0, 0, 1}},
       {UpAxis::YDown, {0, -1, 0}, {0, 0, 1}},
   };
   for (const auto& [up, upward, face] : cases) {

@@ -1,0 +1,22 @@
+# cmake --install: headers, libraries, and what find_package(hair) reads. hair::model has its own
+# file of targets, so that whoever does not ask for it needs no OpenMesh.
+include(CMakePackageConfigHelpers)
+set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/hair")
+
+install(DIRECTORY libhair DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT library
+  FILES_MATCHING PATTERN "*.h")
+install(TARGETS hair EXPORT hairTargets COMPONENT library)
+install(EXPORT hairTargets NAMESPACE hair:: DESTINATION "${package_folder}" COMPONENT library)
+if(HAIR_WITH_MODEL)
+  install(TARGETS hair_model EXPORT hairModelTargets COMPONENT library)
+  install(EXPORT hairModelTargets NAMESPACE hair:: DESTINATION "${package_folder}"
+    COMPONENT library)
+endif()
+
+configure_package_config_file(cmake/hairConfig.cmake.in "${PROJECT_BINARY_DIR}/hairConfig.cmake"
+  INSTALL_DESTINATION "${package_folder}")
+# Before 1.0 a minor version may break its users.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/hairConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/hairConfig.cmake" "${PROJECT_BINARY_DIR}/hairConfigVersion.cmake"
+  DESTINATION "${package_folder}" COMPONENT library)
