@@ -11,6 +11,8 @@ namespace hair {
 
 namespace {
 
+constexpr glm::vec3 kDress(0.16f, 0.18f, 0.22f);  // albedo, linear
+
 // Drawn wider than a hair, as each strand stands for many; but never so wide that it looks it.
 float drawnWidth(const Groom& groom) {
   return std::clamp(1.25f * groom.fibre.width * std::sqrt(groom.fibre.hairsPerStrand), 1e-4f,
@@ -63,7 +65,7 @@ Staging::Staging(Performance& performance)
   scene.meshes.resize(2);
   scene.meshes[0].mesh = &subject.head.mesh;
   scene.meshes[1].mesh = &body_;
-  scene.meshes[1].colour = {0.16f, 0.18f, 0.22f};  // dressed
+  scene.meshes[1].colour = kDress;
   scene.meshes[1].roughness = 0.8f;
   for (const TriangleMesh& eye : subject.eyes)
     scene.meshes.push_back({&eye, glm::mat4(1), glm::vec3(0.75f), {}, 0.2f});
@@ -82,7 +84,7 @@ void Staging::frameHead(float yaw, float pitch, float distance) {
 }
 
 // The scalp has the hair's own colour, so that no skin shows between the few strands that are
-// drawn.
+// drawn, and the neck that of the body, which it sinks into.
 void Staging::dyeScalp() {
   const glm::vec3 dye = performance_.settings.look.rootColour;
   if (dye == dye_ && !scalp_.empty()) return;
@@ -90,7 +92,13 @@ void Staging::dyeScalp() {
   scalp_.resize(bare_.size());
   // Factors of the skin's colour (MeshLayer).
   const glm::vec3 dyed = 0.8f * dye / draw::MeshLayer{}.colour;
-  for (std::size_t v = 0; v < bare_.size(); ++v) scalp_[v] = glm::mix(dyed, glm::vec3(1), bare_[v]);
+  const glm::vec3 collar = kDress / draw::MeshLayer{}.colour;
+  const auto& positions = performance_.subject.head.mesh.positions;
+  for (std::size_t v = 0; v < bare_.size(); ++v) {
+    const glm::vec3 skin =
+        glm::mix(collar, glm::vec3(1), glm::smoothstep(-0.03f, -0.02f, positions[v].y));
+    scalp_[v] = glm::mix(dyed, skin, bare_[v]);
+  }
   scene.meshes[0].vertexColours = scalp_;
 }
 

@@ -23,6 +23,7 @@ void validate(const GuideSettings& s) {
   field(s.tipStiffness > 0 && s.tipStiffness <= 1, "tipStiffness", s.tipStiffness, "(0, 1]");
   field(s.bendDamping >= 0 && s.bendDamping < 1, "bendDamping", s.bendDamping, "[0, 1) s");
   field(s.airDrag >= 0 && s.airDrag < 1e4f, "airDrag", s.airDrag, "[0, 1e4) 1/s");
+  field(s.carriedAir >= 0 && s.carriedAir <= 1, "carriedAir", s.carriedAir, "[0, 1]");
   field(s.friction >= 0 && s.friction <= 10, "friction", s.friction, "[0, 10]");
   field(s.skin >= 0 && s.skin < 0.1f, "skin", s.skin, "[0, 0.1) m");
   field(s.substep >= 1e-5f && s.substep <= 0.1f, "substep", s.substep, "[1e-5, 0.1] s");

@@ -29,22 +29,32 @@ struct Group {
 
 using PointArray = std::array<LaneVec3, kMaxGuidePoints>;
 
+// Distance from the head at which the air moves with half its speed.
+constexpr float kCarriedAirRadius = 0.3f;
+
 // x = where its velocity alone takes every free point in time h; force = all that acts on it but
 // bending, per linear density.
 void predict(const Group& g, const GuideSettings& settings, const Wind& wind, double time,
-             PointArray& x, PointArray& force) {
+             const ColliderState& colliders, PointArray& x, PointArray& force) {
   const float h = g.h, keep = 1.0f / (1.0f + settings.airDrag * h);
   const bool still = wind.still();
+  // What moves with the head was, h ago, at back · (p - now) + then.
+  const RigidTransform &now = colliders.worldFromHead, &then = colliders.worldFromHeadBefore;
+  const glm::mat3 back = glm::mat3_cast(then.rotation * glm::conjugate(now.rotation));
   for (std::uint32_t i = 1; i < g.points; ++i) {
-    LaneVec3 acceleration = broadcast(settings.gravity);
-    if (g.push) acceleration = acceleration + g.push[i];
-    if (!still) {
-      LaneVec3 air;
+    const LaneVec3 p = g.position[i], fromHead = p - broadcast(now.translation);
+    const LaneVec3 carried =
+        fromHead - rotate(back, fromHead) + broadcast(now.translation - then.translation);
+    const Lanes share = settings.carriedAir /
+                        (1.0f + dot(fromHead, fromHead) / (kCarriedAirRadius * kCarriedAirRadius));
+    LaneVec3 air = (1.0f / h * share) * carried;
+    if (!still)
       for (std::size_t l = 0; l < kLanes; ++l)
-        setLane(air, l, wind.at(lane(g.position[i], l), time));
-      acceleration = acceleration + lanes(settings.airDrag) * air;
-    }
-    x[i] = g.position[i] + lanes(h * keep) * g.velocity[i];
+        setLane(air, l, lane(air, l) + wind.at(lane(p, l), time));
+    LaneVec3 acceleration = broadcast(settings.gravity) + lanes(settings.airDrag) * air;
+    if (g.push) acceleration = acceleration + g.push[i];
+    // Implicit drag: v' = (v + h a) / (1 + h drag).
+    x[i] = p + lanes(h * keep) * g.velocity[i];
     force[i] = g.mass[i] * acceleration;
   }
   // Tension acts along the links as they were; beyond m l / (4 h²) it could no longer be stepped
@@ -77,7 +87,7 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
   std::array<ContactPlane, kMaxGuidePoints> planes;
   std::array<LaneMask, kMaxGuidePoints> touching;
 
-  predict(g, settings, motion.wind, time, x, force);
+  predict(g, settings, motion.wind, time, colliders, x, force);
 
   const glm::mat3 turn = glm::mat3_cast(colliders.worldFromHead.rotation);
   x[0] = rotate(turn, g.restPosition[0]) + broadcast(colliders.worldFromHead.translation);
