@@ -84,16 +84,16 @@ NearCapsule nearCapsule(const Capsule& now, const Capsule& before, const LaneVec
 
 ContactPlane nearestPlane(LaneVec3 points, std::uint32_t index, Lanes way, Lanes headClearance,
                           const ColliderState& colliders, std::span<const NearCapsule> near,
-                          Clearance& clearance) {
+                          float slack, Clearance& clearance) {
   ContactPlane best{{}, lanes(-kFar), {}, lanes(kFar)};
   if (any(clearance.body < kFarEnough)) {
     for (const NearCapsule& capsule : near)
-      nearerCapsule(points, capsule, capsule.reachOf(index, way), best);
+      nearerCapsule(points, capsule, capsule.reachOf(index, way) - slack, best);
     clearance.body = best.distance;
   } else {
     best.distance = clearance.body;
   }
-  if (colliders.head) nearerHead(points, headClearance, colliders, clearance.head, best);
+  if (colliders.head) nearerHead(points, headClearance - slack, colliders, clearance.head, best);
   return best;
 }
 

@@ -64,9 +64,9 @@ struct Clearance {
 /// The plane of the collider nearest to each of eight points (deepest, where inside), which are
 /// points `index` of their strands, `way` metres after the last anchored one. A lane far from
 /// everything gets a plane that never touches. Colliders that `clearance` knows to be far are not
-/// looked at.
+/// looked at. `slack`: so many metres less than asked for need to be kept.
 ContactPlane nearestPlane(LaneVec3 points, std::uint32_t index, Lanes way, Lanes headClearance,
                           const ColliderState& colliders, std::span<const NearCapsule> near,
-                          Clearance& clearance);
+                          float slack, Clearance& clearance);
 
 }  // namespace hair

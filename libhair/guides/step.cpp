@@ -119,10 +119,10 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
       near[nearCount++] = nearCapsule(capsule, colliders.capsulesBefore[c], anchors, settings.skin);
   }
 
-  const auto look = [&](std::uint32_t i, Clearance clearance) {
+  const auto look = [&](std::uint32_t i, float slack, Clearance clearance) {
     seenAt[i] = x[i];
     planes[i] = nearestPlane(x[i], i, way[i], g.clearance[i], colliders, {near.data(), nearCount},
-                             clearance);
+                             slack, clearance);
     return clearance;
   };
   planes[0] = ContactPlane{{}, lanes(-1e3f), {}, lanes(1e3f)};
@@ -133,10 +133,12 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
     touching[i] = LaneMask{}, lambda[i] = Lanes{};
     way[i] = i > kAnchoredPoints ? way[i - 1] + g.linkLength[i - 1] : Lanes{};
     known.step(length(x[i] - x[i - 1]));
-    known = look(i, known);
+    known = look(i, 0, known);
   }
   // Links drag points off; those that went farther than to the collider they saw must look again,
-  // and if one is inside another collider by now, all is corrected again.
+  // and if one is inside another collider by now, all is corrected again. The skin is for comfort:
+  // a point pinched between two colliders has to do with a third of it.
+  const float slack = settings.skin * (2.0f / 3.0f);
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
     for (int iteration = 0; iteration < settings.iterations; ++iteration) {
@@ -157,8 +159,8 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
     for (std::uint32_t i = 1; i < n; ++i) {
       if (!any(length(x[i] - seenAt[i]) > max(planes[i].distance, lanes(0)) + 0.5f * settings.skin))
         continue;
-      look(i, {});
-      again |= any(planes[i].distance < -0.5f * settings.skin);
+      look(i, slack, {});
+      again |= any(planes[i].distance < 0.0f);
     }
     if (!again) break;
   }
