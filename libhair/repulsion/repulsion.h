@@ -19,13 +19,13 @@ enum class RepulsionKind {
 /// Self-collision: hair that is denser than it was groomed spreads out.
 struct RepulsionSettings {
   RepulsionKind kind = RepulsionKind::Gradient;
-  float cellSize = 0.02f;          ///< metres; of the map of density that guides feel
-  int cells = 64;                  ///< along each axis; cells · cellSize as DensityMapSettings says
-  std::uint32_t strandStride = 16; ///< every so many drawn strands are counted, for all
-  float threshold = 1.5e6f;        ///< metres of hair per m³ that never push
-  float tolerance = 1.3f;          ///< nor does less than the groom's own density times this, >= 1
-  float strength = 10;             ///< m/s² on a point where density is twice what it may be
-  float limit = 10;                ///< m/s², the most
+  float cellSize = 0.02f;  ///< metres; of the map of density that guides feel
+  int cells = 64;          ///< along each axis; cells · cellSize as DensityMapSettings says
+  std::uint32_t strandStride = 16;  ///< every so many drawn strands are counted, for all
+  float threshold = 1.5e6f;         ///< metres of hair per m³ that never push
+  float tolerance = 1.3f;           ///< nor does less than the groom's own density times this, >= 1
+  float strength = 10;              ///< m/s² on a point where density is twice what it may be
+  float limit = 10;                 ///< m/s², the most
 };
 
 /// What a groom at rest has of density at each guide point, and the push of the last frame.

@@ -302,13 +302,12 @@ float lengthOfPoint(StrandView strands) {
 /// What one point of Deposit::Points is worth: f · ds, or metres.
 float pointQuantum(StrandView strands, const Fibre& fibre, const DensityMapSettings& settings) {
   const float ds = settings.cellSize;
-  if (settings.quantity == Quantity::Length)
-    return lengthOfPoint(strands) * fibre.hairsPerStrand;
+  if (settings.quantity == Quantity::Length) return lengthOfPoint(strands) * fibre.hairsPerStrand;
   if (settings.pointExtinction > 0) return settings.pointExtinction * ds;
   // Over all directions the sine of the angle to the light is pi / 4 on average.
   constexpr float kMeanSine = 0.785398163f;
-  return lengthOfPoint(strands) * kMeanSine * fibre.width * fibre.hairsPerStrand *
-         fibre.opacity / (ds * ds);
+  return lengthOfPoint(strands) * kMeanSine * fibre.width * fibre.hairsPerStrand * fibre.opacity /
+         (ds * ds);
 }
 
 template <bool kShared>
