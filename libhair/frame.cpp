@@ -82,6 +82,8 @@ void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
 }
 
 void restart(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair) {
+  require(seconds >= 0 && seconds <= 3600, "restart: ", seconds,
+          " s to settle are not in 0 to 3600");
   FrameProfile unused{};
   FrameSettings still = settings;
   still.wind = {};
@@ -91,14 +93,15 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   hair.time = 0;
   std::fill(hair.repulsion.push.begin(), hair.repulsion.push.end(), LaneVec3{});
   std::vector<Capsule> grown(body.capsules.begin(), body.capsules.end());
-  const int frames = std::max(1, static_cast<int>(std::ceil(seconds * 60)));
+  const int frames = static_cast<int>(std::ceil(seconds * 60));
   const auto sizeTo = [&](int i) {
     const float share = static_cast<float>(i) / static_cast<float>(frames);
     for (std::size_t c = 0; c < grown.size(); ++c)
       grown[c].radius = share * body.capsules[c].radius;
   };
-  sizeTo(0);
+  if (frames > 0) sizeTo(0);
   hair.capsules = grown;
+  if (frames == 0) interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
   for (int i = 1; i <= frames; ++i) {
     sizeTo(i);
     frame({body.worldFromHead, grown}, still, 1.0f / 60, hair, unused);

@@ -17,7 +17,8 @@
 
 namespace hair {
 
-/// What a frame computes. A stage that is off costs nothing, neither time nor memory.
+/// What a frame computes. A stage that is off from the start costs nothing, neither time nor
+/// memory.
 struct FrameSettings {
   GuideSettings guides;
   bool selfCollision = true;

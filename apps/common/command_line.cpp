@@ -35,7 +35,7 @@ void addReadOptions(CLI::App& command, ReadOptions& read) {
   command
       .add_option("--scale", read.scale,
                   "metres per unit of the file; default: .hair 0.00465, others 1")
-      ->check(CLI::PositiveNumber);
+      ->check(within(1e-9, 1e9));
   command
       .add_option_function<std::string>(
           "--up",
@@ -73,7 +73,7 @@ void addSubjectOptions(CLI::App& command, SubjectOptions& subject) {
   command
       .add_option("--motion-scale", subject.motionScale,
                   "metres per unit of the clip; default 0.01")
-      ->check(CLI::PositiveNumber);
+      ->check(within(1e-9, 1e9));
   command.add_flag("--still", subject.still, "nobody moves");
   command
       .add_option("--strands", subject.strands,
@@ -91,7 +91,7 @@ void addSubjectOptions(CLI::App& command, SubjectOptions& subject) {
 
 void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, int& threads) {
   command.add_option("--fps", performance.fps, "frames a second of the motion; default 60")
-      ->check(CLI::Range(1.0, 1000.0));
+      ->check(within(1.0, 1000.0));
   command.add_option("--threads", threads, "0, the default: as many as the machine has")
       ->check(CLI::Range(0, 1024));
   command
@@ -105,7 +105,7 @@ void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, i
                    "leave hair-hair repulsion out");
   command
       .add_option("--settle", performance.settle, "seconds to settle in the first pose; default 1")
-      ->check(CLI::Range(0.0f, 60.0f));
+      ->check(within(0.0, 60.0));
 }
 
 void addResultOptions(CLI::App& command, ResultFiles& results) {

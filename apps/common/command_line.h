@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <sstream>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -24,10 +28,25 @@ void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, i
 /// --profile, --stats, --hash
 void addResultOptions(CLI::App& command, ResultFiles& results);
 
-/// Checks the end of a file's name.
+/// Checks the end of an output file's name, and that its folder is there.
 inline auto endsWith(std::string ending) {
-  return [ending](const std::string& name) {
-    return name.ends_with(ending) ? std::string() : "must end with " + ending + ": " + name;
+  return [ending](const std::string& name) -> std::string {
+    if (!name.ends_with(ending)) return "must end with " + ending + ": " + name;
+    const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+      return "no folder " + folder.string() + "; make it first";
+    return {};
+  };
+}
+
+/// Checks that a number is in [lowest, highest], and a number.
+inline auto within(double lowest, double highest) {
+  return [lowest, highest](const std::string& word) -> std::string {
+    const double value = std::strtod(word.c_str(), nullptr);
+    if (value >= lowest && value <= highest) return {};
+    std::ostringstream message;
+    message << word << " is not in " << lowest << " to " << highest;
+    return message.str();
   };
 }
 

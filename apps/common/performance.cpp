@@ -45,6 +45,7 @@ void Performance::restart() {
 
 void Performance::begin() {
   time = 0;
+  frame_ = 0;
   subject.motion.pose(0, pose);
   hair::restart({pose.worldFromHead, pose.capsules}, settings, static_cast<float>(settle_), hair);
   relight();
@@ -53,8 +54,8 @@ void Performance::begin() {
 void Performance::step() {
   profile = {};
   const double duration = subject.motion.duration();
-  if (!subject.motion.isLoop() && duration > 0 && time + 1 / fps_ > duration) begin();
-  time += 1 / fps_;
+  if (!subject.motion.isLoop() && duration > 0 && (frame_ + 1) / fps_ > duration + 1e-6) begin();
+  time = ++frame_ / fps_;
   {
     const StageTimer timer(profile, Stage::Motion,
                            static_cast<std::int64_t>(pose.worldFromJoint.size()));

@@ -48,6 +48,7 @@ class Performance {
  private:
   void begin();
 
+  double frame_ = 0;  // since the motion began; whole, so that time does not drift
   double fps_, settle_;
 };
 

@@ -118,7 +118,6 @@ void Staging::updateHair(draw::Renderer& renderer) {
   hair.visibility.resize(headShadowsHair ? hair.wisps.points.size() : 0);
   draw::HairLayer& layer = scene.hair[0];
   layer.strands = hair.strands();
-  layer.colours = hair.colours;
   layer.width = drawnWidth(groom);
   layer.opacity = 0.9f;
   layer.shadowWidth = groom.fibre.width * groom.fibre.opacity * groom.fibre.hairsPerStrand;

@@ -47,15 +47,15 @@ struct Controls {
   struct SelfCollision {
     bool on = true;
     RepulsionKind kind = RepulsionKind::Gradient;
-    float strength = 40;  ///< m/s²
+    float strength = RepulsionSettings{}.strength;  ///< m/s²
     bool operator==(const SelfCollision&) const = default;
   } selfCollision;
 
   struct Breeze {
-    float speed = 0;     ///< m/s
-    float towards = 90;  ///< degrees about +Y, 0: along +Z
-    float up = 0;        ///< degrees
-    float gust = 0.5f;   ///< swing as a share of the speed
+    float speed = 0;           ///< m/s
+    float towards = 90;        ///< degrees about +Y, 0: along +Z
+    float up = 0;              ///< degrees
+    float gust = Wind{}.gust;  ///< swing as a share of the speed
     bool operator==(const Breeze&) const = default;
   } wind;
 

@@ -31,8 +31,9 @@ int runHeadless(const DanceOptions& options) {
 
   const double fps = options.performance.fps;
   const double seconds = subject.motion.duration() > 0 ? subject.motion.duration() : 5;
-  const int frames =
-      options.frames > 0 ? options.frames : static_cast<int>(std::lround(seconds * fps));
+  const int frames = options.frames > 0
+                         ? options.frames
+                         : std::max(1, static_cast<int>(std::floor(seconds * fps + 1e-6)));
   // Every so many simulated frames there is a picture.
   const int stride = std::max(1, static_cast<int>(std::lround(fps / options.videoFps)));
   const int pictures = (frames + stride - 1) / stride;

@@ -26,14 +26,15 @@ int program(int argc, char** argv) {
                  "headless: the video; default dance.mp4, with dance.png beside it")
       ->check(endsWith(".mp4"));
   app.add_option("--video-fps", options.videoFps, "headless: pictures a second; default 30")
-      ->check(CLI::Range(1.0, 240.0));
+      ->check(within(1.0, 240.0));
   app.add_option("--width", options.width, "pixels; default 1280")->check(CLI::Range(16, 8192));
   app.add_option("--height", options.height, "pixels; default 720")->check(CLI::Range(16, 8192));
-  app.add_option("--yaw", options.yaw, "degrees about the head, 0: before the face; default 35");
+  app.add_option("--yaw", options.yaw, "degrees about the head, 0: before the face; default 35")
+      ->check(within(-360, 360));
   app.add_option("--pitch", options.pitch, "degrees from above; default 4")
-      ->check(CLI::Range(-89.0f, 89.0f));
+      ->check(within(-89.0, 89.0));
   app.add_option("--distance", options.distance, "of the camera, metres; default 1.5")
-      ->check(CLI::Range(0.05f, 100.0f));
+      ->check(within(0.05, 100.0));
   app.add_flag("--side-by-side", options.sideBySide, "left half without self-shadowing");
   app.footer(
       "Examples:\n"

@@ -84,17 +84,22 @@ void addRender(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("render", "Draw one picture of hair under any light");
   addSubjectOptions(*command, options->subject);
   addPerformanceOptions(*command, options->performance, options->threads);
-  command->add_option("--out", options->out, "the picture, .png or .exr")->required();
+  command->add_option("--out", options->out, "the picture, .png or .exr")
+      ->required()
+      ->check([](const std::string& name) {
+        return name.ends_with(".exr") ? endsWith(".exr")(name) : endsWith(".png")(name);
+      });
   command
       ->add_option("--frames", options->frames,
                    "frames of the motion before the picture; default 0")
       ->check(CLI::Range(0, 10'000'000));
-  command->add_option("--yaw", options->yaw,
-                      "degrees about the head, 0: before the face; default 30");
+  command
+      ->add_option("--yaw", options->yaw, "degrees about the head, 0: before the face; default 30")
+      ->check(within(-360, 360));
   command->add_option("--pitch", options->pitch, "degrees from above; default 3")
-      ->check(CLI::Range(-89.0f, 89.0f));
+      ->check(within(-89.0, 89.0));
   command->add_option("--distance", options->distance, "metres; default 0.95")
-      ->check(CLI::Range(0.05f, 100.0f));
+      ->check(within(0.05, 100.0));
   command->add_option("--width", options->width, "pixels; default 960")
       ->check(CLI::Range(16, 16384));
   command->add_option("--height", options->height, "pixels; default 960")

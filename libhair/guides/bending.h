@@ -25,7 +25,8 @@ struct BendingFactors {
   std::vector<Lanes> below2;    ///< L(i, i - 2)
 };
 
-/// Makes the factors unless they are there for this substep and damping (seconds) already.
+/// Makes the factors unless they are there for this substep and damping (seconds) already. One set
+/// of factors goes with one GuideStrands.
 void factorBending(const GuideStrands& guides, float substep, float bendDamping,
                    BendingFactors& factors);
 

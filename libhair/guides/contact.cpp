@@ -32,7 +32,10 @@ Foot footOf(const Capsule& c, LaneVec3 p) {
 void nearerCapsule(LaneVec3 p, const NearCapsule& capsule, Lanes reach, ContactPlane& best) {
   const Foot foot = footOf(*capsule.now, p);
   const LaneVec3 out = p - foot.point;
-  const Lanes r = length(out), d = r - reach;
+  // Most capsules are farther than what is held already: no root is needed to see that.
+  const Lanes length2 = dot(out, out), within = best.distance + reach;
+  if (!any(length2 < within * within)) return;
+  const Lanes r = sqrt(length2), d = r - reach;
   const LaneMask nearer = d < best.distance;
   if (!any(nearer)) return;
   const LaneVec3 normal = (1.0f / max(r, lanes(1e-9f))) * out;

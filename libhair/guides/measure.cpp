@@ -8,6 +8,15 @@
 
 namespace hair {
 
+namespace {
+
+// The larger of the two, but NaN once there is one: hair that has gone wrong must show.
+void worse(float& worst, float value) {
+  if (!(value <= worst) && !std::isnan(worst)) worst = value;
+}
+
+}  // namespace
+
 GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settings,
                          std::span<const Capsule> capsules, const MeshSdf* head) {
   GuideStats stats;
@@ -28,21 +37,19 @@ GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settin
       const std::size_t at = group * n + i;
       const glm::vec3 v(guides.velocity[at].x[l], guides.velocity[at].y[l],
                         guides.velocity[at].z[l]);
-      stats.speedMax = std::max(stats.speedMax, glm::length(v));
+      worse(stats.speedMax, glm::length(v));
       stats.kineticEnergy += 0.5 * settings.linearDensity * guides.pointMass[at][l] *
                              static_cast<double>(glm::dot(v, v));
       if (i == 0) continue;
       if (i > kAnchoredPoints) way += guides.linkLength[group * (n - 1) + i - 1][l];
       for (const Capsule& c : capsules)
-        stats.penetrationMax =
-            std::max(stats.penetrationMax, swallowed(c, i, way) - distanceAndGradient(c, p).w);
+        worse(stats.penetrationMax, swallowed(c, i, way) - distanceAndGradient(c, p).w);
       if (head)
-        stats.penetrationMax =
-            std::max(stats.penetrationMax, std::min(0.0f, guides.clearance[at][l]) -
-                                               head->distance(headFromWorld.point(p)));
+        worse(stats.penetrationMax,
+              std::min(0.0f, guides.clearance[at][l]) - head->distance(headFromWorld.point(p)));
       const float l0 = guides.linkLength[group * (n - 1) + i - 1][l];
       const float s = std::abs(glm::distance(p, guides.point(g, i - 1)) - l0) / l0;
-      stats.stretchMax = std::max(stats.stretchMax, s);
+      worse(stats.stretchMax, s);
       stretch2 += static_cast<double>(s) * s;
     }
   }

@@ -19,7 +19,7 @@ struct GuideSettings {
   float skin = 3e-3f;               ///< metres that guide points keep from colliders, >= 0
   glm::vec3 gravity{0, -9.81f, 0};  ///< m/s²
   float substep = 1.0f / 480.0f;  ///< seconds; a frame is cut into equal steps no longer than this
-  int iterations = 3;             ///< Newton iterations of the link constraints a substep, 1 to 32
+  int iterations = 2;             ///< Newton iterations of the link constraints a substep, 1 to 32
 };
 
 /// Throws Error that names the field and its range.

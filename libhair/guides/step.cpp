@@ -51,9 +51,9 @@ void predict(const Group& g, const GuideSettings& settings, const Wind& wind, do
     if (!still)
       for (std::size_t l = 0; l < kLanes; ++l)
         setLane(air, l, lane(air, l) + wind.at(lane(p, l), time));
-    LaneVec3 acceleration = broadcast(settings.gravity) + lanes(settings.airDrag) * air;
+    LaneVec3 acceleration = broadcast(settings.gravity) + lanes(keep * settings.airDrag) * air;
     if (g.push) acceleration = acceleration + g.push[i];
-    // Implicit drag: v' = (v + h a) / (1 + h drag).
+    // Implicit drag: v' = (v + h drag · air) / (1 + h drag), then what else accelerates.
     x[i] = p + lanes(h * keep) * g.velocity[i];
     force[i] = g.mass[i] * acceleration;
   }
@@ -100,8 +100,8 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
 
   LaneVec3 anchors[kAnchoredPoints];
   for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
-    anchors[i] =
-        rotate(turn, g.restPosition[i + 1]) + broadcast(colliders.worldFromHead.translation);
+    anchors[i] = rotate(turn, g.restPosition[std::min(i + 1, links)]) +
+                 broadcast(colliders.worldFromHead.translation);
   // Capsules that a box around the group touches.
   glm::vec3 lower(INFINITY), upper(-INFINITY);
   for (std::uint32_t i = 0; i < n; ++i)
@@ -178,11 +178,18 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
                 GuideWorkspace& workspace, GuideStrands& guides) {
   require(seconds > 0 && seconds <= 1, "stepGuides: a frame of ", seconds,
           " s is not in (0, 1]; cut longer times into frames");
+  validate(settings);
+  require(motion.wind.valid(),
+          "wind: velocity must be below 200 m/s, gust in [0, 1], gustLength > 0");
+  require(motion.push.empty() || motion.push.size() == guides.position.size(),
+          "stepGuides: ", motion.push.size(), " pushes for ", guides.position.size(),
+          " groups of points");
   const std::size_t capsules = motion.capsules.size();
   require(capsules == motion.capsulesBefore.size() && capsules <= kMaxCapsules,
           "stepGuides: ", motion.capsulesBefore.size(), " capsules before and ", capsules,
           " after; they must be as many, at most ", kMaxCapsules);
-  const auto substeps = static_cast<std::size_t>(std::ceil(seconds / settings.substep - 1e-3f));
+  const auto substeps = std::max<std::size_t>(
+      1, static_cast<std::size_t>(std::ceil(seconds / settings.substep - 1e-3f)));
   const float h = seconds / static_cast<float>(substeps);
   factorBending(guides, h, settings.bendDamping, workspace.bending);
 

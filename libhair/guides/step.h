@@ -39,7 +39,8 @@ struct GuideWorkspace {
 ///   5. velocity = movement / h.
 /// Predicting with the last tension makes a groom at rest a fixed point of every substep, and is a
 /// good start for Newton otherwise.
-/// Throws Error: seconds not in (0, 1], capsule counts that differ.
+/// Throws Error: seconds not in (0, 1], settings out of range, counts that differ, wind that is not
+/// finite. One workspace goes with one GuideStrands.
 void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,
                 GuideWorkspace& workspace, GuideStrands& guides);
 

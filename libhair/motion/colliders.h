@@ -21,6 +21,15 @@ inline glm::vec4 distanceAndGradient(const Capsule& c, glm::vec3 p) {
   return {r > 1e-9f ? out / r : glm::vec3(0, 1, 0), r - c.radius};
 }
 
+/// Square of the distance to the capsule's axis, m².
+inline float axisDistance2(const Capsule& c, glm::vec3 p) {
+  const glm::vec3 axis = c.b - c.a, fromA = p - c.a;
+  const float axis2 = glm::dot(axis, axis);
+  const float t = axis2 > 0 ? glm::clamp(glm::dot(fromA, axis) / axis2, 0.0f, 1.0f) : 0.0f;
+  const glm::vec3 out = fromA - t * axis;
+  return glm::dot(out, out);
+}
+
 /// Least distance between the axes of two capsules, metres.
 /// Ericson 2005, "Real-Time Collision Detection", section 5.1.9.
 inline float axisDistance(const Capsule& p, const Capsule& q) {

@@ -74,6 +74,9 @@ void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& 
 }
 
 void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repulsion& repulsion) {
+  require(repulsion.allowed.size() == guides.position.size() &&
+              repulsion.push.size() == guides.position.size(),
+          "repel: no density is allowed yet; call allowRestDensity with the hair at rest first");
   const std::uint32_t n = guides.pointsPerGuide();
   parallelFor(guides.groupCount(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t at = begin * n; at < end * n; ++at)

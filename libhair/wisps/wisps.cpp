@@ -76,7 +76,9 @@ struct Obstacles {
     float nearest = 1e3f;
     for (std::uint64_t rest = near; rest != 0; rest &= rest - 1) {
       const auto c = static_cast<std::size_t>(__builtin_ctzll(rest));
-      nearest = std::min(nearest, distanceAndGradient(colliders.capsules[c], p).w - skin);
+      const float keep = colliders.capsules[c].radius + skin, within = nearest + keep;
+      const float d2 = axisDistance2(colliders.capsules[c], p);
+      if (d2 < within * within) nearest = std::sqrt(d2) - keep;
     }
     return nearest;
   }
