@@ -11,6 +11,7 @@
 #include <apps/common/performance.h>
 #include <apps/common/results.h>
 #include <apps/common/subject.h>
+#include <libhair/core/error.h>
 
 namespace hair {
 
@@ -28,13 +29,14 @@ void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, i
 /// --profile, --stats, --hash
 void addResultOptions(CLI::App& command, ResultFiles& results);
 
-/// Checks the end of an output file's name, and that its folder is there.
+/// Checks the end of an output file's name. A folder that is not there is an Error, before any
+/// work.
 inline auto endsWith(std::string ending) {
   return [ending](const std::string& name) -> std::string {
     if (!name.ends_with(ending)) return "must end with " + ending + ": " + name;
     const std::filesystem::path folder = std::filesystem::path(name).parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-      return "no folder " + folder.string() + "; make it first";
+    require(folder.empty() || std::filesystem::is_directory(folder), name, ": no folder ",
+            folder.string(), "; make it first");
     return {};
   };
 }

@@ -59,7 +59,8 @@ void nearerHead(LaneVec3 p, Lanes keep, const ColliderState& colliders, Lanes& k
     }
     const glm::vec3 world = lane(p, l);
     const glm::vec3 local = (world - colliders.worldFromHead.translation) * worldFromHead;
-    const float d = colliders.head->distance(local) - keep[l];
+    const float bound = colliders.head->lowerBound(local) - keep[l];
+    const float d = bound > kFarEnough ? bound : colliders.head->distance(local) - keep[l];
     known[l] = d;
     if (!(d < best.distance[l])) continue;
     best.distance[l] = d;

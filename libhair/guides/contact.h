@@ -53,12 +53,14 @@ NearCapsule nearCapsule(const Capsule& now, const Capsule& before, const LaneVec
                         float skin);
 
 /// How far eight points are from body and head at least: what is known before they are looked at,
-/// and more exactly afterwards. A step along a strand takes its length off the head's and twice
-/// that off the body's (as its reach may change as much).
+/// and more exactly afterwards. A step along a strand takes its length off both; twice that off the
+/// body's where a capsule has swallowed something, as its reach may change as much.
 struct Clearance {
   Lanes body{}, head{};
 
-  void step(Lanes way) { body = body - 2.0f * way, head = head - way; }
+  void step(Lanes way, bool swallowed) {
+    body = body - (swallowed ? 2.0f : 1.0f) * way, head = head - way;
+  }
 };
 
 /// The plane of the collider nearest to each of eight points (deepest, where inside), which are

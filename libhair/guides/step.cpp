@@ -119,6 +119,9 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
       near[nearCount++] = nearCapsule(capsule, colliders.capsulesBefore[c], anchors, settings.skin);
   }
 
+  bool swallowed = false;
+  for (std::size_t c = 0; c < nearCount; ++c)
+    for (const Lanes& reach : near[c].reach) swallowed |= any(reach < near[c].full);
   const auto look = [&](std::uint32_t i, float slack, Clearance clearance) {
     seenAt[i] = x[i];
     planes[i] = nearestPlane(x[i], i, way[i], g.clearance[i], colliders, {near.data(), nearCount},
@@ -132,7 +135,7 @@ void substep(const Group& g, const GuideSettings& settings, const GuideMotion& m
     inverseMass[i] = 1.0f / g.mass[i];
     touching[i] = LaneMask{}, lambda[i] = Lanes{};
     way[i] = i > kAnchoredPoints ? way[i - 1] + g.linkLength[i - 1] : Lanes{};
-    known.step(length(x[i] - x[i - 1]));
+    known.step(length(x[i] - x[i - 1]), swallowed);
     known = look(i, 0, known);
   }
   // Links drag points off; those that went farther than to the collider they saw must look again,

@@ -23,6 +23,19 @@ class MeshSdf {
   /// Metres. Outside the grid: a lower bound of the distance, never less than `margin`.
   float distance(glm::vec3 p) const;
 
+  /// Not more than `distance`, from one node instead of eight: enough to know that most points are
+  /// clear. A cell is more than half its diagonal, so it allows for the grid's own error too.
+  float lowerBound(glm::vec3 p) const {
+    const glm::vec3 inBox = glm::clamp(p, box_.lower, box_.upper);
+    if (inBox != p) return margin_;
+    const glm::ivec3 i((p - box_.lower) / cell_ + 0.5f);
+    const std::size_t at = (static_cast<std::size_t>(i.z) * static_cast<std::size_t>(nodes_.y) +
+                            static_cast<std::size_t>(i.y)) *
+                               static_cast<std::size_t>(nodes_.x) +
+                           static_cast<std::size_t>(i.x);
+    return distances_[at] - cell_;
+  }
+
   /// xyz = unit outward direction, w = distance as above. Costs four times as much.
   glm::vec4 distanceAndGradient(glm::vec3 p) const;
 

@@ -69,8 +69,12 @@ struct Obstacles {
   glm::vec3 inHead(glm::vec3 p) const {
     return (p - colliders.worldFromHead.translation) * worldFromHead;
   }
+  // Exact where it is below zero; where it is not, no more than the distance.
   float headDistance(glm::vec3 p) const {
-    return colliders.head ? colliders.head->distance(inHead(p)) - headClearance : 1e3f;
+    if (!colliders.head) return 1e3f;
+    const glm::vec3 local = inHead(p);
+    const float bound = colliders.head->lowerBound(local) - headClearance;
+    return bound > 0 ? bound : colliders.head->distance(local) - headClearance;
   }
   float bodyDistance(glm::vec3 p) const {
     float nearest = 1e3f;
