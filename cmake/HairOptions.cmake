@@ -12,6 +12,10 @@ target_compile_options(hair_options INTERFACE
   # g++ is silent inside system headers; clang reports what libstdc++'s own stable_sort calls.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
   $<$<BOOL:${HAIR_WERROR}>:-Werror>)
+if(HAIR_NATIVE)
+  # Wider lanes, the same bits: no contraction (above), and lanes round as scalars do.
+  target_compile_options(hair_options INTERFACE -march=native)
+endif()
 if(HAIR_SANITIZE)
   target_compile_options(hair_options INTERFACE
     -fsanitize=${HAIR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -90,6 +90,7 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   still.shadow = still.shade = false;
   still.guides.airDrag = std::max(still.guides.airDrag, 20.0f);
   hair.guides.reset(body.worldFromHead);
+  hair.repulsion.turn = 0;
   hair.time = 0;
   std::fill(hair.repulsion.push.begin(), hair.repulsion.push.end(), LaneVec3{});
   std::vector<Capsule> grown(body.capsules.begin(), body.capsules.end());

@@ -58,6 +58,7 @@ void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& 
   const std::uint32_t n = guides.pointsPerGuide();
   repulsion.allowed.assign(guides.position.size(), lanes(settings.threshold));
   repulsion.push.assign(guides.position.size(), LaneVec3{});
+  repulsion.turn = 0;
   for (std::size_t at = 0; at < guides.position.size(); ++at)
     for (std::size_t l = 0; l < kLanes; ++l) {
       const float rest =
@@ -78,16 +79,21 @@ void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repuls
               repulsion.push.size() == guides.position.size(),
           "repel: no density is allowed yet; call allowRestDensity with the hair at rest first");
   const std::uint32_t n = guides.pointsPerGuide();
-  parallelFor(guides.groupCount(), 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t at = begin * n; at < end * n; ++at)
-      for (std::size_t l = 0; l < kLanes; ++l) {
-        const auto [direction, density] =
-            pushAt(repulsion.density, settings.kind, lane(guides.position[at], l));
-        const float excess = std::max(0.0f, density / repulsion.allowed[at][l] - 1);
-        setLane(repulsion.push[at], l,
-                std::min(settings.strength * excess, settings.limit) * direction);
-      }
+  const std::size_t groups = guides.groupCount(), turn = repulsion.turn;
+  parallelFor((groups + 1 - turn) / 2, 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t half = begin; half < end; ++half) {
+      const std::size_t group = 2 * half + turn;
+      for (std::size_t at = group * n; at < (group + 1) * n; ++at)
+        for (std::size_t l = 0; l < kLanes; ++l) {
+          const auto [direction, density] =
+              pushAt(repulsion.density, settings.kind, lane(guides.position[at], l));
+          const float excess = std::max(0.0f, density / repulsion.allowed[at][l] - 1);
+          setLane(repulsion.push[at], l,
+                  std::min(settings.strength * excess, settings.limit) * direction);
+        }
+    }
   });
+  repulsion.turn = 1 - turn;
 }
 
 }  // namespace hair

@@ -21,7 +21,7 @@ struct RepulsionSettings {
   RepulsionKind kind = RepulsionKind::Gradient;
   float cellSize = 0.02f;  ///< metres; of the map of density that guides feel
   int cells = 64;          ///< along each axis; cells · cellSize as DensityMapSettings says
-  std::uint32_t strandStride = 16;  ///< every so many drawn strands are counted, for all
+  std::uint32_t strandStride = 32;  ///< every so many drawn strands are counted, for all
   float threshold = 1.5e6f;         ///< metres of hair per m³ that never push
   float tolerance = 1.3f;           ///< nor does less than the groom's own density times this, >= 1
   float strength = 10;              ///< m/s² on a point where density is twice what it may be
@@ -33,6 +33,7 @@ struct Repulsion {
   DensityMap density;          ///< metres of hair per m³
   std::vector<Lanes> allowed;  ///< [groupCount · pointsPerGuide], metres of hair per m³
   std::vector<LaneVec3> push;  ///< the same, m/s²; what stepGuides takes
+  std::size_t turn = 0;        ///< which half of the groups repel looks at next
 };
 
 /// Fills the map with the drawn hair's length. The map's axes are the world's, not the light's: a
@@ -45,8 +46,9 @@ void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSetting
 void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& guides,
                       const RepulsionSettings& settings, Repulsion& repulsion);
 
-/// Pushes on all guide points from the density in the map. A point pushes nothing back on the hair
-/// at rest, so repulsion cannot keep a groom from coming to rest. Threads over groups.
+/// Pushes on guide points from the density in the map: on every other group of guides, the others
+/// at the next call, as density changes little in a frame. No more density than at rest is no push,
+/// so repulsion cannot keep a groom from coming to rest. Threads over groups.
 void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repulsion& repulsion);
 
 }  // namespace hair
