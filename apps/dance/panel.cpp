@@ -159,7 +159,7 @@ void drawSelfCollision(Controls::SelfCollision& c) {
   choose<RepulsionKind>("away from", c.kind,
                         {{RepulsionKind::CellCentre, "cell centre (paper)"},
                          {RepulsionKind::Gradient, "dense hair (gradient)"}});
-  ImGui::SliderFloat("strength", &c.strength, 0, 20, "%.0f m/s2");
+  ImGui::SliderFloat("strength", &c.strength, 0, 40, "%.0f m/s2");
   ImGui::EndDisabled();
 }
 

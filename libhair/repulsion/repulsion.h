@@ -24,8 +24,8 @@ struct RepulsionSettings {
   std::uint32_t strandStride = 32;  ///< every so many drawn strands are counted, for all
   float threshold = 1.5e6f;         ///< metres of hair per m³ that never push
   float tolerance = 1.3f;           ///< nor does less than the groom's own density times this, >= 1
-  float strength = 10;              ///< m/s² on a point where density is twice what it may be
-  float limit = 10;                 ///< m/s², the most
+  float strength = 20;              ///< m/s² on a point where density is twice what it may be
+  float limit = 20;                 ///< m/s², the most
 };
 
 /// What a groom at rest has of density at each guide point, and the push of the last frame.
