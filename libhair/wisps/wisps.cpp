@@ -113,8 +113,10 @@ std::uint32_t firstHit(std::span<const glm::vec3> points, std::uint32_t from,
       const float way = glm::distance(points[k], points[k - 1]);
       head -= way, body -= way;
     }
-    if (head <= 0 && (head = obstacles.headDistance(points[k])) < 0) return k;
-    if (body <= 0 && (body = obstacles.bodyDistance(points[k])) < 0) return k;
+    if (head <= 0) head = obstacles.headDistance(points[k]);
+    if (head < 0) return k;
+    if (body <= 0) body = obstacles.bodyDistance(points[k]);
+    if (body < 0) return k;
   }
   return static_cast<std::uint32_t>(points.size());
 }
