@@ -29,7 +29,7 @@ std::vector<Feature> featuresOf(StrandView strands, float shapeWeight) {
   features.reserve(strands.strandCount());
   for (std::size_t s = 0; s < strands.strandCount(); ++s) {
     const auto p = strands.strand(s);
-    // Middle and tip, so that a loop is no stub.
+    // Middle and tip, so that a loop does not count as a short strand.
     const glm::vec3 reach = 0.5f * (p[p.size() / 2] + p.back()) - p.front();
     features.push_back({p.front(), shapeWeight * reach});
   }
