@@ -34,9 +34,13 @@ struct CellBatch {
       const float ux = fraction.x + (m[0].x * dx[l] + m[1].x * dy[l] + m[2].x * dz[l]);
       const float uy = fraction.y + (m[0].y * dx[l] + m[1].y * dy[l] + m[2].y * dz[l]);
       const float uz = fraction.z + (m[0].z * dx[l] + m[1].z * dy[l] + m[2].z * dz[l]);
-      x[l] = clamp(ux) - shift.x;
-      y[l] = clamp(uy) - shift.y;
-      z[l] = clamp(uz) - shift.z;
+      x[l] = ux, y[l] = uy, z[l] = uz;
+    }
+    if (frame.curvature > 0) bend(frame.curvature, count);
+    for (std::size_t l = 0; l < count; ++l) {
+      x[l] = clamp(x[l]) - shift.x;
+      y[l] = clamp(y[l]) - shift.y;
+      z[l] = clamp(z[l]) - shift.z;
     }
     floorAll(x, i, count);
     floorAll(y, j, count);
@@ -44,6 +48,12 @@ struct CellBatch {
   }
 
  private:
+  void bend(float curvature, std::size_t count) {
+    for (std::size_t l = 0; l < count; ++l) {
+      const glm::vec3 u = CellFrame::bend({x[l], y[l], z[l]}, curvature);
+      x[l] = u.x, y[l] = u.y, z[l] = u.z;
+    }
+  }
   static void floorAll(const float* u, int* whole, std::size_t count) {
     for (std::size_t l = 0; l < count; ++l) whole[l] = floorToInt(u[l]);
   }

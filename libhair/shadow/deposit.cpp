@@ -9,6 +9,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/shadow/cell_batch.h>
+#include <libhair/shadow/cell_walk.h>
 
 namespace hair {
 
@@ -123,36 +124,6 @@ class Rounder {
   float rest_ = 0;
 };
 
-glm::ivec3 floorToCell(glm::vec3 u) {
-  return {floorToInt(u.x), floorToInt(u.y), floorToInt(u.z)};
-}
-
-/// One axis of a walk through the cells along a segment.
-struct AxisWalk {
-  int way, left;     // direction of the next wall, walls to cross
-  float next, step;  // the next wall and the way from wall to wall, in the segment's parameter
-
-  AxisWalk(float a, float b, int cell, int last) : way(last > cell ? 1 : -1), left(last - cell) {
-    const float perParameter = 1.0f / (b - a);
-    const float wall = static_cast<float>(cell + (way > 0 ? 1 : 0));
-    const float first = (wall - a) * perParameter;
-    next = left == 0 ? kNever : first;
-    step = std::abs(perParameter);
-    left = std::abs(left);
-  }
-  /// Crosses the wall at `next` if `now`. Whole numbers of walls decide where the axis ends, never
-  /// sums of steps. Selections, no branches: which axis comes next cannot be predicted.
-  void cross(bool now, int& cell) {
-    const int one = now ? 1 : 0;
-    cell += now ? way : 0;
-    left -= one;
-    const float further = next + (now ? step : 0.0f);
-    next = left == 0 ? kNever : further;
-  }
-
-  static constexpr float kNever = 2.0f;
-};
-
 /// Walks the cells between two points, all in unwrapped cell coordinates, and leaves in each the
 /// part of `count` that lies inside. Amanatides and Woo 1987. What falls into the last cell is kept
 /// in `pending`, because the next segment most often goes on there.
@@ -203,13 +174,17 @@ void spread(glm::vec3 u, std::uint32_t count, Writer& writer) {
 }
 
 /// What a segment adds per cell that it advances: across the light for optical depth (length times
-/// sine of the angle to the light), in all directions for length.
+/// sine of the angle to the light), in all directions for length. Under a light at a point a fibre
+/// looks wider by the magnification.
 struct SegmentScale {
   float perCell;
   bool acrossOnly;
-  float amount(glm::vec3 d) const {
+  const CellFrame& frame;
+  float amount(glm::vec3 a, glm::vec3 b) const {
+    const glm::vec3 d = b - a;
     const float across = d.y * d.y + d.z * d.z;
-    return perCell * std::sqrt(acrossOnly ? across : across + d.x * d.x);
+    const float amount = perCell * std::sqrt(acrossOnly ? across : across + d.x * d.x);
+    return frame.curvature > 0 ? amount * frame.magnification(0.5f * (a + b)) : amount;
   }
 };
 
@@ -255,11 +230,11 @@ void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, floa
       first = false;
     } else if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > longest) {
       // Longer than the map: the map is aliased, and will say so; don't walk a billion cells.
-      writer.add(at, addSaturating(pending, rounder.take(scale.amount(d))));
+      writer.add(at, addSaturating(pending, rounder.take(scale.amount(a, b))));
       pending = 0;
       at = cell;
     } else {
-      depositSegment(a, b, rounder.take(scale.amount(d)), at, cell, pending, writer);
+      depositSegment(a, b, rounder.take(scale.amount(a, b)), at, cell, pending, writer);
     }
     a = b;
   });
@@ -279,8 +254,8 @@ void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, flo
     const int samples = first ? 0 : static_cast<int>(std::min(way, longest)) + 1;
     const float each = 1.0f / static_cast<float>(std::max(samples, 1));
     for (int s = 0; s < samples; ++s)
-      spread(a + d * ((static_cast<float>(s) + 0.5f) * each), rounder.take(scale.amount(d) * each),
-             writer);
+      spread(a + d * ((static_cast<float>(s) + 0.5f) * each),
+             rounder.take(scale.amount(a, b) * each), writer);
     a = b;
     first = false;
   });
@@ -321,7 +296,7 @@ void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t 
   // that is Poisson-distributed, and the mean of (1 - opacity)^n is exp(-opacity · mean n).
   const float perStrand =
       length ? fibre.hairsPerStrand * ds : fibre.width * fibre.hairsPerStrand * fibre.opacity / ds;
-  const SegmentScale scale{perStrand * static_cast<float>(stride) / kQuantum, !length};
+  const SegmentScale scale{perStrand * static_cast<float>(stride) / kQuantum, !length, frame};
   const std::size_t read = (strands.strandCount() + stride - 1) / stride;
   parallelFor(read, 32, [&](std::size_t begin, std::size_t end) {
     CellWriter<kShared> writer(map);

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include <libhair/measure/truth.h>
+
+namespace hair {
+
+/// How far transmittances are from the truth. Each figure has the standard error that the choice of
+/// points and the truth's own noise leave it.
+struct ErrorFigures {
+  struct Figure {
+    double value = 0;
+    double standardError = 0;
+  };
+  Figure meanAbsolute;
+  Figure rms;
+  Figure percentile99;  ///< of the absolute error
+  Figure bias;          ///< mean of (measured - truth); negative: too dark
+};
+
+/// `measured`: [truth.transmittance.size()].
+ErrorFigures errorFigures(std::span<const float> measured, const Truth& truth);
+
+}  // namespace hair

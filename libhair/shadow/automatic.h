@@ -1,0 +1,14 @@
+#pragma once
+
+#include <libhair/core/strands.h>
+#include <libhair/shadow/density_map.h>
+#include <libhair/shadow/light_space.h>
+
+namespace hair {
+
+/// Settings of the density map for shadows averaged over a disc of radius `footprint` (metres, > 0),
+/// as measurement chose them (docs/accuracy.md). Reads the strands' extent under that light.
+DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& light,
+                                        float footprint);
+
+}  // namespace hair

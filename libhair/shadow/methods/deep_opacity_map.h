@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+
+#include <libhair/shadow/methods/lateral_filter.h>
+#include <libhair/shadow/methods/light_image.h>
+
+namespace hair {
+
+class ShadowMethod;
+
+/// Deep opacity maps (Yuksel and Keyser 2008): each pixel's layers begin at its own first hair, z0;
+/// layer k covers z0 + d[k-1] to z0 + d[k].
+struct DeepOpacityMapSettings {
+  /// How layer sizes d[k] - d[k-1] grow.
+  enum class Growth {
+    Constant,   ///< 1 1 1 1
+    Linear,     ///< 1 2 3 4
+    Doubling,   ///< 1 2 4 8
+    Fibonacci,  ///< 1 2 3 5
+  };
+  /// What becomes of hair beyond the last layer (section 3, "points beyond the end").
+  enum class Beyond {
+    Ignored,      ///< casts no shadow
+    InLastLayer,  ///< counts for the last layer, and shadows itself
+    LargerLayers, ///< does not exist: layers are scaled so that the last one ends behind all hair
+  };
+  float pixelSize = 3e-3f;  ///< metres, > 0
+  int layers = 7;           ///< K, 1 to 255
+  Growth growth = Growth::Linear;
+  Beyond beyond = Beyond::InLastLayer;
+  float depth = 0.05f;  ///< metres, d[K], > 0: of all layers together, but for LargerLayers
+  int depthBits = 32;   ///< 8, 16 or 32 (float), of the stored z0
+  Extinction extinction = Extinction::Unbiased;
+  LateralFilter filter = LateralFilter::Linear;
+};
+
+/// Throws Error for settings out of range.
+std::unique_ptr<ShadowMethod> makeDeepOpacityMap(const DeepOpacityMapSettings& settings);
+
+}  // namespace hair

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+
+#include <libhair/shadow/methods/lateral_filter.h>
+#include <libhair/shadow/methods/light_image.h>
+
+namespace hair {
+
+class ShadowMethod;
+
+/// Opacity shadow maps (Kim and Neumann 2001): planes at even distances across the light slice the
+/// hair; each pixel of each slice sums the opacity of what lies in it; between two planes the sum is
+/// interpolated linearly.
+struct OpacityMapSettings {
+  float pixelSize = 3e-3f;  ///< metres, > 0
+  int slices = 16;          ///< 1 to 1024
+  Extinction extinction = Extinction::Unbiased;
+  LateralFilter filter = LateralFilter::Linear;
+};
+
+/// Throws Error for settings out of range.
+std::unique_ptr<ShadowMethod> makeOpacityMap(const OpacityMapSettings& settings);
+
+}  // namespace hair

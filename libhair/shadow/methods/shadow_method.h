@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+
+#include <glm/glm.hpp>
+
+#include <libhair/core/strands.h>
+#include <libhair/model/groom.h>
+#include <libhair/shadow/density_map.h>
+#include <libhair/shadow/light_space.h>
+#include <libhair/shadow/methods/deep_opacity_map.h>
+#include <libhair/shadow/methods/deep_shadow_map.h>
+#include <libhair/shadow/methods/density_clustering.h>
+#include <libhair/shadow/methods/opacity_map.h>
+#include <libhair/shadow/methods/shadow_map.h>
+
+namespace hair {
+
+/// One way to shadow hair, so that ways can be measured against each other. A program that has made
+/// its choice calls the passes of its method directly; frame() calls those of the density map.
+class ShadowMethod {
+ public:
+  virtual ~ShadowMethod() = default;
+
+  /// For these strands under this light; forgets what was built before, keeps its memory.
+  /// Threads share the work; the result has the same bits for any number of threads.
+  virtual void build(StrandView strands, const Fibre& fibre, const LightSpace& light) = 0;
+
+  /// Transmittance at any points, [0, 1]; 1 where no hair is towards the light. On all threads.
+  /// `out`: [points.size()].
+  virtual void sample(std::span<const glm::vec3> points, std::span<float> out) const = 0;
+
+  /// Transmittance at all points of the strands that were built from. Where a method knows how, a
+  /// strand does not shadow itself. `out`: [pointCount].
+  virtual void sampleStrands(StrandView strands, std::span<float> out) const {
+    sample(strands.points, out);
+  }
+
+  /// What stands in memory between build and the last sample.
+  virtual std::size_t bytes() const = 0;
+};
+
+/// A method and its settings: one row of a table that compares them.
+using ShadowSettings = std::variant<DensityMapSettings, ShadowMapSettings, OpacityMapSettings,
+                                    DeepOpacityMapSettings, DensityClusteringSettings,
+                                    DeepShadowMapSettings>;
+
+/// Throws Error for settings out of range.
+std::unique_ptr<ShadowMethod> makeShadowMethod(const ShadowSettings& settings);
+
+/// The method's name in lower case: "density map", "deep opacity map" ...
+std::string methodName(const ShadowSettings& settings);
+/// Its settings in a few words without commas: "3 mm 7 layers linear".
+std::string settingsText(const ShadowSettings& settings);
+
+}  // namespace hair
