@@ -1,6 +1,7 @@
 #include <libhair/shadow/automatic.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <libhair/core/error.h>
 
@@ -12,7 +13,8 @@ constexpr int kMostCells = 1024;
 
 DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& light,
                                         float footprint) {
-  require(footprint > 0, "shadow footprint: ", footprint, " m is not positive; set --footprint");
+  require(footprint > 0 && std::isfinite(footprint), "shadow footprint: ", footprint,
+          " m is not positive; set --footprint");
   const CellFrame frame = makeCellFrame(light, glm::vec3(0), 1.0f, 2);
   Bounds box;
   for (const glm::vec3 p : strands.points) box.extend(frame.cellCoordinates(p));

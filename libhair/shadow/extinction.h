@@ -13,8 +13,8 @@ enum class Extinction {
   Published,  ///< -ln(1 - opacity), as in the papers: too dark, since fibres do not fill cells
 };
 
-/// Optical depth of a cell that is covered once, by fibres of one kind side by side; a cell of which
-/// they cover part c has c times that.
+/// Optical depth of a cell that is covered once, by fibres of one kind side by side; a cell of
+/// which they cover part c has c times that.
 ///
 /// A fibre of width w that crosses a cell of size s covers c = w / s of it and lets 1 - opacity · c
 /// of its light through. That makes an optical depth of -ln(1 - opacity · c), and per covered area

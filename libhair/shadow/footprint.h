@@ -9,9 +9,10 @@ namespace hair {
 
 /// The kernel of Filter::Footprint, an axis at a time, in cells.
 ///
-/// Wanted is the mean over a disc of radius R, which has the variance R²/4 along each axis. A box of
-/// half-width h has h²/3; the deposit has smeared the hair over a box of one cell already (variance
-/// 1/12; Trilinear: a tent, 1/6), and values are linear between cell centres (a tent, 1/6):
+/// Wanted is the mean over a disc of radius R, which has the variance R²/4 along each axis. A box
+/// of half-width h has h²/3; the deposit has smeared the hair over a box of one cell already
+/// (variance 1/12; Trilinear: a tent, 1/6), and values are linear between cell centres (a tent,
+/// 1/6):
 ///
 ///   h²/3 + 1/6 + (1/12 or 1/6) = R²/4
 ///
