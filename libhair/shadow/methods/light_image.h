@@ -25,11 +25,11 @@ enum class Extinction {
 /// light in units of a pixel.
 struct LightImage {
   CellFrame frame;
-  glm::ivec2 lower{0};    ///< unwrapped cell (y, z) of pixel (0, 0)
-  glm::ivec2 size{0};     ///< pixels; the hair's bounds and a margin of one pixel
-  float nearest = 0;      ///< depth of the first hair
-  float farthest = 0;     ///< and of the last
-  float pixelSize = 0;    ///< metres (at the pivot of a light at a point)
+  glm::ivec2 lower{0};  ///< unwrapped cell (y, z) of pixel (0, 0)
+  glm::ivec2 size{0};   ///< pixels; the hair's bounds and a margin of one pixel
+  float nearest = 0;    ///< depth of the first hair
+  float farthest = 0;   ///< and of the last
+  float pixelSize = 0;  ///< metres (at the pivot of a light at a point)
 
   std::size_t pixelCount() const {
     return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
@@ -63,8 +63,8 @@ struct Fragment {
   float opticalDepth;  ///< mean over the pixel: l sin(theta) w alpha / pixel area
 };
 
-/// Calls visit(Fragment) for all that the pixels see of one strand, root to tip. Points are projected
-/// once, sixty-four at a time.
+/// Calls visit(Fragment) for all that the pixels see of one strand, root to tip. Points are
+/// projected once, sixty-four at a time.
 template <class Visit>
 void forFragments(std::span<const glm::vec3> points, const Fibre& fibre, Extinction extinction,
                   const LightImage& image, Visit&& visit) {
