@@ -41,8 +41,7 @@ struct Piece {
   /// Ends it at a depth; the next begins there.
   void end(float depth, Slopes s, std::vector<VisibilityVertex>& vertices) {
     const double slope = 0.5 * (s.steepest + s.flattest);
-    const double t =
-        double{origin.transmittance} + slope * (double{depth} - double{origin.depth});
+    const double t = double{origin.transmittance} + slope * (double{depth} - double{origin.depth});
     begin({depth, std::clamp(static_cast<float>(t), 0.0f, origin.transmittance)}, vertices);
   }
   void begin(VisibilityVertex vertex, std::vector<VisibilityVertex>& vertices) {
@@ -79,8 +78,7 @@ void compressVisibility(std::span<const PixelFragment> fragments, float toleranc
     Slopes toStep = piece.through(piece.slopes, depth, before);
     Slopes pastStep = piece.through(toStep, depth, after);
     const bool bridgeable = height <= 2 * double{tolerance};
-    if (pastStep.none() && (bridgeable || toStep.none()) &&
-        piece.reached > piece.origin.depth) {
+    if (pastStep.none() && (bridgeable || toStep.none()) && piece.reached > piece.origin.depth) {
       piece.end(piece.reached, piece.slopes, vertices);
       toStep = piece.through({}, depth, before);
       pastStep = piece.through(toStep, depth, after);
@@ -97,9 +95,9 @@ void compressVisibility(std::span<const PixelFragment> fragments, float toleranc
 }
 
 float transmittanceAt(std::span<const VisibilityVertex> vertices, float depth) {
-  const auto b = std::lower_bound(
-      vertices.begin(), vertices.end(), depth,
-      [](const VisibilityVertex& vertex, float d) { return vertex.depth < d; });
+  const auto b =
+      std::lower_bound(vertices.begin(), vertices.end(), depth,
+                       [](const VisibilityVertex& vertex, float d) { return vertex.depth < d; });
   if (b == vertices.begin()) return 1.0f;
   const VisibilityVertex& a = b[-1];
   if (b == vertices.end()) return a.transmittance;
@@ -139,18 +137,16 @@ class DeepShadowMap final : public ShadowMethod {
             points.size(), " points");
     parallelFor(points.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        out[i] = readImage(
-            image_, settings_.filter, image_.frame.cellCoordinates(points[i]),
-            [&](std::size_t p, float depth) {
-              return transmittanceAt(blocks_[p / kBlock].pixel(p % kBlock), depth);
-            });
+        out[i] = readImage(image_, settings_.filter, image_.frame.cellCoordinates(points[i]),
+                           [&](std::size_t p, float depth) {
+                             return transmittanceAt(blocks_[p / kBlock].pixel(p % kBlock), depth);
+                           });
     });
   }
 
   std::size_t bytes() const override {
     std::size_t sum = lists_.bytes() + blocks_.capacity() * sizeof(Block);
-    for (const Block& block : blocks_)
-      sum += block.vertices.capacity() * sizeof(VisibilityVertex);
+    for (const Block& block : blocks_) sum += block.vertices.capacity() * sizeof(VisibilityVertex);
     return sum;
   }
 

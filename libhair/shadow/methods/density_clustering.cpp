@@ -81,10 +81,9 @@ std::size_t clusterFragments(Fragments fragments, const DensityClusteringSetting
 
   // Begin evenly between the first and the last fragment.
   PerCluster mu, sigma;
-  const double extent = (farthest - nearest) *
-                        (settings.start == DensityClusteringSettings::Start::TowardsLight
-                             ? kTowardsLight
-                             : 1.0);
+  const double extent =
+      (farthest - nearest) *
+      (settings.start == DensityClusteringSettings::Start::TowardsLight ? kTowardsLight : 1.0);
   for (std::size_t j = 0; j < count; ++j)
     mu[j] = nearest + extent * (static_cast<double>(j) + 0.5) / static_cast<double>(count);
   const auto halfway = [&](std::size_t j) { return 0.5 * (mu[j] + mu[j + 1]); };
@@ -183,13 +182,12 @@ class DensityClustering final : public ShadowMethod {
             points.size(), " points");
     parallelFor(points.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        out[i] = readImage(image_, settings_.filter, image_.frame.cellCoordinates(points[i]),
-                           [&](std::size_t p, float depth) {
-                             return expMinusApproximate(opticalDepthAt(
-                                 std::span(bins_).subspan(firstBin_[p],
-                                                          firstBin_[p + 1] - firstBin_[p]),
-                                 depth));
-                           });
+        out[i] = readImage(
+            image_, settings_.filter, image_.frame.cellCoordinates(points[i]),
+            [&](std::size_t p, float depth) {
+              return expMinusApproximate(opticalDepthAt(
+                  std::span(bins_).subspan(firstBin_[p], firstBin_[p + 1] - firstBin_[p]), depth));
+            });
     });
   }
 

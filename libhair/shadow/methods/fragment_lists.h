@@ -17,7 +17,8 @@ struct PixelFragment {
   float opticalDepth;  ///< > 0
 };
 
-/// The fragments of every pixel, those nearest to the light first; of one depth, the thinnest first.
+/// The fragments of every pixel, those nearest to the light first; of one depth, the thinnest
+/// first.
 struct FragmentLists {
   std::vector<std::uint32_t> first;  ///< [pixelCount + 1]: pixel p has [first[p], first[p + 1])
   std::vector<PixelFragment> fragments;
