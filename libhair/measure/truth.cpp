@@ -121,11 +121,14 @@ Truth exactTransmittance(const FibreTracer& tracer, const Fibre& fibre, const Li
     tracer.countCrossings(std::span(rays).first(count * n), std::span(crossings).first(count * n));
     parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
+        // Counted from the first ray, so that equal rays scatter by zero and not by rounding.
+        const std::uint32_t* const crossed = &crossings[k * n];
+        const double start = leftBehind(crossed[0]);
         double sum = 0, squares = 0;
-        for (std::uint32_t i = 0; i < n; ++i) sum += leftBehind(crossings[k * n + i]);
-        const double mean = sum / n;
+        for (std::uint32_t i = 0; i < n; ++i) sum += leftBehind(crossed[i]) - start;
+        const double mean = start + sum / n;
         for (std::uint32_t i = 0; i < n; ++i) {
-          const double off = leftBehind(crossings[k * n + i]) - mean;
+          const double off = leftBehind(crossed[i]) - mean;
           squares += off * off;
         }
         truth.transmittance[first + k] = static_cast<float>(mean);

@@ -173,7 +173,7 @@ TEST(GridTracer, CrossesWhatBruteForceCrosses) {
   };
   const Case cases[] = {{"waving", 300, 12, 0.02f, 0.3f, 0.05f, {0, 0, 0}},
                         {"crumpled", 200, 30, 0.004f, 3.0f, 0.02f, {0, 0, 0}},
-                        {"long and few", 60, 3, 1.0f, 0.2f, 0.3f, {0, 0, 0}},
+                        {"long and few", 100, 3, 1.0f, 0.2f, 0.3f, {0, 0, 0}},
                         {"far from the origin", 100, 12, 0.02f, 0.5f, 0.05f, {900, -400, 300}}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
@@ -219,7 +219,7 @@ TEST(GridTracer, CrossesWhatBruteForceCrosses) {
       rays[r].origin = points[k] + 0.3f * kWidth * randomDirection(r, 60);
     }
     check(rays);
-    EXPECT_GT(total, 2000u);
+    EXPECT_GT(total, 1000u);
   }
 }
 
