@@ -29,7 +29,7 @@ std::vector<ShadowRay> raysFrom(const std::vector<SamplePoint>& points, bool par
 
 void expectAgreement(const StrandSet& strands, const Fibre& fibre) {
   const auto grid = makeGridTracer(strands, fibre), embree = makeEmbreeTracer(strands, fibre);
-  const auto points = chooseSamplePoints(strands, 400, 1);
+  const auto points = chooseSamplePoints(strands, 200, 1);
   for (bool parallel : {true, false}) {
     const std::vector<ShadowRay> rays = raysFrom(points, parallel);
     const auto one = test::crossings(*grid, rays), other = test::crossings(*embree, rays);

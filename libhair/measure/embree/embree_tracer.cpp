@@ -24,20 +24,22 @@ using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Deleter>;
 
 class EmbreeTracer final : public FibreTracer {
  public:
-  EmbreeTracer(StrandView strands, const Fibre& fibre) : ribbons_(makeRibbonPoints(strands, fibre)) {
+  EmbreeTracer(StrandView strands, const Fibre& fibre)
+      : ribbons_(makeRibbonPoints(strands, fibre)) {
     for (std::size_t i = 0; i < ribbons_.points.size(); ++i) {
       if (ribbons_.isSegment(i)) segments_.push_back(static_cast<std::uint32_t>(i));
     }
     device_.reset(rtcNewDevice(nullptr));
     require(device_ != nullptr, "Embree: no device");
     scene_.reset(rtcNewScene(device_.get()));
-    rtcSetSceneFlags(scene_.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
-                                                              RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneFlags(
+        scene_.get(),
+        static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
     if (!segments_.empty()) {
       RTCGeometry curves = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
-      auto* vertices = static_cast<glm::vec4*>(rtcSetNewGeometryBuffer(
-          curves, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4),
-          ribbons_.points.size()));
+      auto* vertices = static_cast<glm::vec4*>(
+          rtcSetNewGeometryBuffer(curves, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                  sizeof(glm::vec4), ribbons_.points.size()));
       auto* indices = static_cast<std::uint32_t*>(
           rtcSetNewGeometryBuffer(curves, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
                                   sizeof(std::uint32_t), segments_.size()));
