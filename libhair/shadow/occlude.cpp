@@ -49,8 +49,7 @@ void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMa
     map.quantum = kQuantum;
   }
   const CellFrame frame = map.frame;
-  const auto count =
-      static_cast<std::uint32_t>(std::min(kOpaque / map.quantum, 4294967040.0f));
+  const auto count = static_cast<std::uint32_t>(std::min(kOpaque / map.quantum, 4294967040.0f));
   const CellBox box = cellBox(frame, centre, radius, map.settings.cells);
   if (glm::any(glm::greaterThan(box.lower, box.upper))) return;
   const auto rows = static_cast<std::size_t>(box.upper.z - box.lower.z + 1);

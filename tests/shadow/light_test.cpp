@@ -70,9 +70,11 @@ TEST(PointLight, ItsCellsAreSquaresThatLookTheSameSizeToTheLight) {
       const float angle = 0.785398f * static_cast<float>(turn);
       const glm::vec3 y = anyNormal(ray), z = glm::cross(ray, y);
       const glm::vec3 step = 1e-4f * (std::cos(angle) * y + std::sin(angle) * z);
-      const glm::vec3 d = (frame.cellCoordinates(p + step) - frame.cellCoordinates(p - step)) / 2.0f;
+      const glm::vec3 d =
+          (frame.cellCoordinates(p + step) - frame.cellCoordinates(p - step)) / 2.0f;
       const float across = std::sqrt(d.y * d.y + d.z * d.z);
-      ASSERT_NEAR(across, frame.magnification(u) * 1e-4f / 5e-3f, 4e-4f * std::max(1.0f, across / 0.02f));
+      ASSERT_NEAR(across, frame.magnification(u) * 1e-4f / 5e-3f,
+                  4e-4f * std::max(1.0f, across / 0.02f));
     }
   }
 }
@@ -133,7 +135,8 @@ TEST(Footprint, FilterIsTheMeanOverADiscOfTheVariance) {
     std::vector<glm::vec3> points;
     for (int y = -240; y < 240; ++y)
       for (int z = -240; z < 240; ++z)
-        points.push_back({5, 0.5f + 0.0625f * static_cast<float>(y), 0.5f + 0.0625f * static_cast<float>(z)});
+        points.push_back(
+            {5, 0.5f + 0.0625f * static_cast<float>(y), 0.5f + 0.0625f * static_cast<float>(z)});
     std::vector<float> t(points.size());
     sampleTransmittance(map, points, t);
     double sum = 0, second = 0;
@@ -159,8 +162,9 @@ TEST(Footprint, OfAConstantFieldAcrossTheSeamIsConstant) {
   for (float shift : {0.0f, 5.0f, 11.0f, 19.0f}) {
     StrandSet wall;
     for (int j = 0; j < 24; ++j)
-      wall.append(std::vector<glm::vec3>{{0.5f, shift + static_cast<float>(j) + 0.5f, shift},
-                                         {0.5f, shift + static_cast<float>(j) + 0.5f, shift + 23.9999f}});
+      wall.append(
+          std::vector<glm::vec3>{{0.5f, shift + static_cast<float>(j) + 0.5f, shift},
+                                 {0.5f, shift + static_cast<float>(j) + 0.5f, shift + 23.9999f}});
     DensityMap map;
     clear(map, settings, test::alongX());
     deposit(wall, oneHair(1.0f, 0.7f), map);
@@ -178,8 +182,11 @@ TEST(OwnShadow, OfALoneStrandIsTakenOffOnAverage) {
   // Straight strands far from each other: nothing shadows them but themselves.
   StrandSet hair;
   for (std::uint32_t s = 0; s < 100; ++s) {
-    const glm::vec3 root(static_cast<float>(s / 10) * 0.1f + 0.02f * uniform(s, 1), 0.01f * uniform(s, 2), static_cast<float>(s % 10) * 0.1f + 0.02f * uniform(s, 3));
-    const glm::vec3 d = glm::normalize(glm::vec3(uniform(s, 4), uniform(s, 5), uniform(s, 6)) - 0.5f);
+    const glm::vec3 root(static_cast<float>(s / 10) * 0.1f + 0.02f * uniform(s, 1),
+                         0.01f * uniform(s, 2),
+                         static_cast<float>(s % 10) * 0.1f + 0.02f * uniform(s, 3));
+    const glm::vec3 d =
+        glm::normalize(glm::vec3(uniform(s, 4), uniform(s, 5), uniform(s, 6)) - 0.5f);
     std::vector<glm::vec3> points;
     for (int k = 0; k < 30; ++k) points.push_back(root + 1e-3f * static_cast<float>(k) * d);
     hair.append(points);

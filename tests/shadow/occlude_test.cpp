@@ -32,8 +32,7 @@ struct Passing {
 Passing passing(const LightSpace& light, glm::vec3 p) {
   const glm::vec3 way = light.directionAt(p), toBall = kBall.a - p;
   const float along = glm::dot(toBall, way);
-  const bool lightTurnsItsBack =
-      light.atPoint() && glm::dot(kBall.a - light.position(), way) < 0;
+  const bool lightTurnsItsBack = light.atPoint() && glm::dot(kBall.a - light.position(), way) < 0;
   if (lightTurnsItsBack) return {false, INFINITY};
   return {along < 0, glm::length(toBall - along * way) - kBall.radius};
 }
@@ -41,7 +40,8 @@ Passing passing(const LightSpace& light, glm::vec3 p) {
 std::vector<glm::vec3> pointsAround() {
   std::vector<glm::vec3> points;
   for (std::uint32_t i = 0; i < 20000; ++i)
-    points.push_back(kBall.a + 0.5f * (glm::vec3(uniform(i, 0), uniform(i, 1), uniform(i, 2)) - 0.5f));
+    points.push_back(kBall.a +
+                     0.5f * (glm::vec3(uniform(i, 0), uniform(i, 1), uniform(i, 2)) - 0.5f));
   return points;
 }
 
@@ -64,8 +64,9 @@ TEST(Occlude, ABallIsDarkBehindAndLitBeforeAndBeside) {
       const float outside = glm::distance(points[i], kBall.a) - kBall.radius;
       if (outside < 0) continue;
       // A light nearer than its pivot sees smaller cells, one farther away larger ones.
-      const float cell = kCell * std::max(1.0f, 1 + light.curvature * glm::dot(points[i] - light.pivot,
-                                                                              light.direction()));
+      const float cell =
+          kCell * std::max(1.0f, 1 + light.curvature *
+                                         glm::dot(points[i] - light.pivot, light.direction()));
       if (at.behind && at.miss < -3 * cell) {
         ASSERT_LT(t[i], 1e-6f) << i;
         ++dark;
@@ -83,7 +84,8 @@ TEST(Occlude, HairOnTheLitSideIsAsWithoutTheHead) {
   const StrandSet hair = headOfHair(2000, 12);
   const Capsule head{glm::vec3(0), glm::vec3(0), 0.088f};  // strands begin at 0.09
   const LightSpace light = makeLightSpace(kSlanted);
-  std::vector<float> without = test::shadow(hair, settings(), light, *std::make_unique<DensityMap>());
+  std::vector<float> without =
+      test::shadow(hair, settings(), light, *std::make_unique<DensityMap>());
   DensityMap map;
   clear(map, settings(), light);
   deposit(hair, {}, map);

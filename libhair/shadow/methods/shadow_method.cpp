@@ -45,6 +45,8 @@ const char* name(Filter filter) {
       return " paper filter";
     case Filter::Centred:
       return "";
+    case Filter::Footprint:
+      return " footprint";
   }
   return "";
 }

@@ -8,9 +8,9 @@ namespace hair {
 namespace {
 
 const std::vector<ShadowSettings>& everyMethod() {
-  static const std::vector<ShadowSettings> all{DensityMapSettings{},        ShadowMapSettings{},
-                                               OpacityMapSettings{},        DeepOpacityMapSettings{},
-                                               DensityClusteringSettings{}, DeepShadowMapSettings{}};
+  static const std::vector<ShadowSettings> all{
+      DensityMapSettings{},     ShadowMapSettings{},         OpacityMapSettings{},
+      DeepOpacityMapSettings{}, DensityClusteringSettings{}, DeepShadowMapSettings{}};
   return all;
 }
 
