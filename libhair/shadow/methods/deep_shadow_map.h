@@ -36,7 +36,7 @@ struct VisibilityVertex {
 /// A piece begins where the last one ended. The slopes that keep it within the tolerance of all
 /// fragments passed shrink from fragment to fragment; when none is left, it ends at the last
 /// fragment that it could pass, with the middle one of the slopes that could (Lokovic and Veach
-/// 2000, section 3.2, "compression"). Where a fragment takes more light than a line can bridge, the
+/// 2000, on compression). Where a fragment takes more light than a line can bridge, the
 /// piece ends at it and the next begins below the step.
 void compressVisibility(std::span<const PixelFragment> fragments, float tolerance,
                         std::vector<VisibilityVertex>& vertices);
