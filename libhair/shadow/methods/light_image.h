@@ -8,6 +8,7 @@
 
 #include <libhair/core/strands.h>
 #include <libhair/model/groom.h>
+#include <libhair/shadow/cell_batch.h>
 #include <libhair/shadow/cell_walk.h>
 #include <libhair/shadow/light_space.h>
 
@@ -48,6 +49,13 @@ struct LightImage {
 /// No hair: an image of no pixels.
 LightImage makeLightImage(StrandView strands, const LightSpace& light, float pixelSize);
 
+/// Throws Error for a pixel size that is not positive; `method` begins the message.
+void requirePixelSize(float pixelSize, const char* method);
+
+/// Throws Error for a fibre whose width, opacity or hairs a strand is negative or not finite;
+/// `method` begins the message.
+void requireFibre(const Fibre& fibre, const char* method);
+
 /// A piece of a segment inside one pixel.
 struct Fragment {
   std::size_t pixel;   ///< LightImage::index
@@ -55,7 +63,8 @@ struct Fragment {
   float opticalDepth;  ///< mean over the pixel: l sin(theta) w alpha / pixel area
 };
 
-/// Calls visit(Fragment) for all that the pixels see of one strand, root to tip.
+/// Calls visit(Fragment) for all that the pixels see of one strand, root to tip. Points are projected
+/// once, sixty-four at a time.
 template <class Visit>
 void forFragments(std::span<const glm::vec3> points, const Fibre& fibre, Extinction extinction,
                   const LightImage& image, Visit&& visit) {
@@ -63,17 +72,15 @@ void forFragments(std::span<const glm::vec3> points, const Fibre& fibre, Extinct
                           ? fibre.opacity
                           : -std::log(std::max(1.0f - fibre.opacity, 1e-4f));
   const float perPixel = fibre.width * fibre.hairsPerStrand * alpha / image.pixelSize;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    const glm::vec3 a = image.frame.cellCoordinates(points[k - 1]);
-    const glm::vec3 b = image.frame.cellCoordinates(points[k]);
+  glm::vec3 a(0);
+  glm::ivec2 cell(0);
+  const auto segmentTo = [&](glm::vec3 b, glm::ivec2 last) {
     const glm::vec3 d = b - a;
-    const float whole = perPixel * std::sqrt(d.y * d.y + d.z * d.z) *
-                        image.frame.magnification(0.5f * (a + b));
-    glm::ivec3 cell = floorToCell(a);
-    const glm::ivec3 last = floorToCell(b);
-    AxisWalk y(a.y, b.y, cell.y, last.y), z(a.z, b.z, cell.z, last.z);
+    float whole = perPixel * std::sqrt(d.y * d.y + d.z * d.z);
+    if (image.frame.curvature > 0) whole *= image.frame.magnification(0.5f * (a + b));
+    AxisWalk y(a.y, b.y, cell.x, last.x), z(a.z, b.z, cell.y, last.y);
     const auto emit = [&](float from, float to) {
-      visit(Fragment{image.index(cell.y, cell.z), a.x + d.x * 0.5f * (from + to),
+      visit(Fragment{image.index(cell.x, cell.y), a.x + d.x * 0.5f * (from + to),
                      whole * (to - from)});
     };
     float behind = 0;
@@ -82,10 +89,22 @@ void forFragments(std::span<const glm::vec3> points, const Fibre& fibre, Extinct
       emit(behind, wall);
       behind = wall;
       const bool alongY = y.next <= z.next;
-      y.cross(alongY, cell.y);
-      z.cross(!alongY, cell.z);
+      y.cross(alongY, cell.x);
+      z.cross(!alongY, cell.y);
     }
     emit(behind, 1.0f);
+  };
+  CellBatch batch;
+  for (std::size_t begin = 0; begin < points.size(); begin += CellBatch::kSize) {
+    const std::size_t count = std::min(points.size() - begin, CellBatch::kSize);
+    batch.fill(image.frame, points.subspan(begin, count), glm::vec3(0));
+    for (std::size_t l = 0; l < count; ++l) {
+      const glm::vec3 b(batch.x[l], batch.y[l], batch.z[l]);
+      const glm::ivec2 last(batch.j[l], batch.k[l]);
+      if (begin + l > 0) segmentTo(b, last);
+      a = b;
+      cell = last;
+    }
   }
 }
 

@@ -1,0 +1,73 @@
+#include <libhair/shadow/methods/opacity_map.h>
+
+#include <libhair/core/error.h>
+#include <libhair/shadow/methods/layer_sums.h>
+#include <libhair/shadow/methods/sample_image.h>
+#include <libhair/shadow/methods/shadow_method.h>
+
+namespace hair {
+
+namespace {
+
+class OpacityMap final : public ShadowMethod {
+ public:
+  explicit OpacityMap(const OpacityMapSettings& settings) : settings_(settings) {}
+
+  void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
+    requireFibre(fibre, "opacity map");
+    const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
+    sums_.reset(image, settings_.slices, "opacity map");
+    image_ = image;
+    // Slices of nothing but a plane would have no height.
+    slicesPerDepth_ =
+        static_cast<float>(settings_.slices) / std::max(image.farthest - image.nearest, 1e-3f);
+    forAllFragments(strands, fibre, settings_.extinction, image_,
+                    [&]<bool kShared>(const Fragment& f) {
+                      LayerSums::add<kShared>(sums_.pixel(f.pixel)[place(f.depth).slice],
+                                              LayerSums::toCount(f.opticalDepth));
+                    });
+    sums_.accumulate(0, static_cast<std::size_t>(settings_.slices));
+  }
+
+  void sample(std::span<const glm::vec3> points, std::span<float> out) const override {
+    sampleImage(image_, settings_.filter, points, out, [this](std::size_t pixel, float depth) {
+      const Place at = place(depth);
+      const std::uint32_t* sums = sums_.pixel(pixel);
+      // Sums stand at the far planes of their slices; nothing is in front of the first.
+      const float front = at.slice == 0 ? 0.0f : LayerSums::toOpticalDepth(sums[at.slice - 1]);
+      const float back = LayerSums::toOpticalDepth(sums[at.slice]);
+      return front + at.part * (back - front);
+    });
+  }
+
+  std::size_t bytes() const override { return sums_.bytes(); }
+
+ private:
+  /// A slice and how far into it, [0, 1].
+  struct Place {
+    std::size_t slice;
+    float part;
+  };
+  Place place(float depth) const {
+    const auto slices = static_cast<float>(settings_.slices);
+    const float t = std::min(std::max((depth - image_.nearest) * slicesPerDepth_, 0.0f), slices);
+    const int slice = std::min(static_cast<int>(t), settings_.slices - 1);
+    return {static_cast<std::size_t>(slice), t - static_cast<float>(slice)};
+  }
+
+  OpacityMapSettings settings_;
+  LightImage image_;
+  LayerSums sums_;  // [pixel][slice]
+  float slicesPerDepth_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<ShadowMethod> makeOpacityMap(const OpacityMapSettings& settings) {
+  requirePixelSize(settings.pixelSize, "opacity map");
+  require(settings.slices >= 1 && settings.slices <= 1024, "opacity map: ", settings.slices,
+          " slices are not in 1 to 1024");
+  return std::make_unique<OpacityMap>(settings);
+}
+
+}  // namespace hair
