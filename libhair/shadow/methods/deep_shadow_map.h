@@ -1,7 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
+#include <libhair/shadow/methods/fragment_lists.h>
 #include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
 
@@ -12,11 +15,34 @@ class ShadowMethod;
 /// Deep shadow maps (Lokovic and Veach 2000): each pixel's whole visibility function, compressed to
 /// the fewest pieces that a greedy walk finds within `tolerance` of it everywhere.
 struct DeepShadowMapSettings {
-  float pixelSize = 3e-3f;   ///< metres, > 0
-  float tolerance = 0.01f;   ///< of transmittance, >= 0; 0: every fragment is kept
+  float pixelSize = 3e-3f;  ///< metres, > 0
+  float tolerance = 0.01f;  ///< of transmittance, >= 0; 0: every fragment is kept
   Extinction extinction = Extinction::Unbiased;
   LateralFilter filter = LateralFilter::Linear;
 };
+
+/// A vertex of a visibility function: linear between two, a step between two at the same depth, 1
+/// in front of the first, constant behind the last.
+struct VisibilityVertex {
+  float depth;
+  float transmittance;
+};
+
+/// Appends the vertices of a function that is nowhere farther than `tolerance` (to rounding) from
+/// the product of exp(-optical depth) of the fragments in front: it begins at 1, stays in [0, 1]
+/// and never increases. `fragments`: front to back; none: no vertex. At most two vertices a
+/// fragment.
+///
+/// A piece begins where the last one ended. The slopes that keep it within the tolerance of all
+/// fragments passed shrink from fragment to fragment; when none is left, it ends at the last
+/// fragment that it could pass, with the middle one of the slopes that could (Lokovic and Veach
+/// 2000, section 3.2, "compression"). Where a fragment takes more light than a line can bridge, the
+/// piece ends at it and the next begins below the step.
+void compressVisibility(std::span<const PixelFragment> fragments, float tolerance,
+                        std::vector<VisibilityVertex>& vertices);
+
+/// The function at a depth; a step at `depth` itself is not in front of it.
+float transmittanceAt(std::span<const VisibilityVertex> vertices, float depth);
 
 /// Throws Error for settings out of range.
 std::unique_ptr<ShadowMethod> makeDeepShadowMap(const DeepShadowMapSettings& settings);

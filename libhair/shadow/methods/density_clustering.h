@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
 
+#include <libhair/shadow/methods/fragment_lists.h>
 #include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
 
@@ -9,14 +12,14 @@ namespace hair {
 
 class ShadowMethod;
 
-/// Density clustering (Mertens et al. 2004): each pixel's fragments are clustered by depth; a cluster
-/// is a bin over which optical depth grows evenly, sqrt(3) standard deviations to both sides of its
-/// mean (section 3.2).
+/// Density clustering (Mertens et al. 2004): each pixel's fragments are clustered by depth; a
+/// cluster is a bin over which optical depth grows evenly, sqrt(3) standard deviations to both
+/// sides of its mean (section 3.2).
 struct DensityClusteringSettings {
   /// Where clusters begin (section 3.3).
   enum class Start {
-    Uniform,      ///< evenly between a pixel's first and last fragment
-    TowardsLight, ///< closer together near the light, where shadows change most
+    Uniform,       ///< evenly between a pixel's first and last fragment
+    TowardsLight,  ///< closer together near the light, where shadows change most
   };
   float pixelSize = 3e-3f;  ///< metres, > 0
   int clusters = 4;         ///< K, 1 to 64
@@ -25,6 +28,38 @@ struct DensityClusteringSettings {
   Extinction extinction = Extinction::Unbiased;
   LateralFilter filter = LateralFilter::Linear;
 };
+
+/// A piece of depth over which optical depth grows evenly; where from = to, at once.
+struct DepthBin {
+  float from, to;
+  float opticalDepth;
+};
+
+/// The clusters of one ray, from fragments to bins (sections 3.2 and 3.3). The weight of a fragment
+/// is its optical depth, the paper's beta. In short, `iterations` times:
+///
+///   mu_j    = sum beta d / sum beta                   over the fragments nearest to mu_j, eq. 3
+///
+/// then, once,
+///
+///   sigma_j = sqrt(sum beta (mu_j - d)² / sum beta)   over the fragments nearest to the new mu_j
+///   bin_j   = [mu_j - sqrt(3) sigma_j, mu_j + sqrt(3) sigma_j]
+///
+/// and where bin j reaches into bin j + 1 both end halfway, R_j = L_{j+1} = (R_j + L_{j+1}) / 2. A
+/// bin holds the fragments in it; one between two bins goes to the nearer mu.
+///
+/// `fragments`: front to back. `bins`: [>= settings.clusters]; returns how many were made: at most
+/// `clusters`, fewer where clusters stayed empty. They are disjoint, front to back, lie between the
+/// first and the last fragment and together have the optical depth of all fragments. A bin narrower
+/// than `leastWidth` is made that wide, away from the light, where there is room: a lone fragment
+/// would be a step, and on which side of it its own fibre stands a matter of rounding.
+std::size_t clusterFragments(std::span<const PixelFragment> fragments,
+                             const DensityClusteringSettings& settings, float leastWidth,
+                             std::span<DepthBin> bins);
+
+/// Optical depth in front of `depth`; a step at `depth` itself is not in front of it. Bins are
+/// front to back. Never decreases with depth, to the last bit.
+float opticalDepthAt(std::span<const DepthBin> bins, float depth);
 
 /// Throws Error for settings out of range.
 std::unique_ptr<ShadowMethod> makeDensityClustering(const DensityClusteringSettings& settings);

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <libhair/core/strands.h>
+#include <libhair/model/groom.h>
+#include <libhair/shadow/methods/light_image.h>
+
+namespace hair {
+
+/// A fragment in the list of its pixel.
+struct PixelFragment {
+  float depth;         ///< along the light, in pixels
+  float opticalDepth;  ///< > 0
+};
+
+/// The fragments of every pixel, those nearest to the light first; of one depth, the thinnest
+/// first.
+struct FragmentLists {
+  std::vector<std::uint32_t> first;  ///< [pixelCount + 1]: pixel p has [first[p], first[p + 1])
+  std::vector<PixelFragment> fragments;
+  std::vector<std::uint32_t> next;  ///< [pixelCount], scratch: where the pixel's next fragment goes
+
+  std::span<const PixelFragment> pixel(std::size_t p) const {
+    return std::span(fragments).subspan(first[p], first[p + 1] - first[p]);
+  }
+  std::size_t bytes() const;
+};
+
+/// Fills the lists with all that the image sees of the strands (forFragments); their memory is used
+/// again. Fragments that take no light are left out. Threads share the strands, then the pixels;
+/// what order they came in does not matter once each pixel's fragments are sorted.
+/// Throws Error for 2^32 fragments or more.
+void buildFragmentLists(StrandView strands, const Fibre& fibre, Extinction extinction,
+                        const LightImage& image, FragmentLists& lists);
+
+}  // namespace hair
