@@ -1,5 +1,6 @@
-# cmake --install: headers, libraries, and what find_package(hair) reads. hair::model has its own
-# file of targets, so that whoever does not ask for it needs no OpenMesh.
+# cmake --install: headers, libraries, and what find_package(hair) reads. hair::model and
+# hair::embree have files of targets of their own, so that whoever does not ask for them needs
+# neither OpenMesh nor Embree.
 include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/hair")
 
@@ -10,6 +11,11 @@ install(EXPORT hairTargets NAMESPACE hair:: DESTINATION "${package_folder}" COMP
 if(HAIR_WITH_MODEL)
   install(TARGETS hair_model EXPORT hairModelTargets COMPONENT library)
   install(EXPORT hairModelTargets NAMESPACE hair:: DESTINATION "${package_folder}"
+    COMPONENT library)
+endif()
+if(HAIR_WITH_EMBREE)
+  install(TARGETS hair_embree EXPORT hairEmbreeTargets COMPONENT library)
+  install(EXPORT hairEmbreeTargets NAMESPACE hair:: DESTINATION "${package_folder}"
     COMPONENT library)
 endif()
 
