@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <apps/hair/method_style.h>
 #include <apps/hair/svg.h>
 #include <libhair/core/error.h>
+#include <libhair/model/resample.h>
 
 namespace hair {
 
@@ -30,22 +33,33 @@ constexpr glm::vec3 kTransmittance[] = {{0, 34, 78},     {53, 69, 108},   {102, 
 std::string colourAt(Map map, double part) {
   const double at = std::clamp(part, 0.0, 1.0) * static_cast<double>(map.size() - 1);
   const std::size_t below = std::min(static_cast<std::size_t>(at), map.size() - 2);
-  const glm::vec3 c = glm::mix(map[below], map[below + 1], static_cast<float>(at - static_cast<double>(below)));
+  const glm::vec3 c =
+      glm::mix(map[below], map[below + 1], static_cast<float>(at - static_cast<double>(below)));
   char hex[8];
   std::snprintf(hex, sizeof hex, "#%02x%02x%02x", static_cast<unsigned>(c.x + 0.5f),
                 static_cast<unsigned>(c.y + 0.5f), static_cast<unsigned>(c.z + 0.5f));
   return hex;
 }
 
-// Where points are on the picture, in tenths of a pixel.
+// How world is put on the picture. Pictures count in tenths of a pixel, so that whole numbers do.
 struct View {
   glm::vec3 right, up;
+  glm::dvec2 centre{0};  // along right and up, metres
+  double scale = 1;      // pixels a metre
+
+  glm::ivec2 dot(glm::vec3 p) const {
+    const double x = static_cast<double>(glm::dot(p, right)) - centre.x;
+    const double y = static_cast<double>(glm::dot(p, up)) - centre.y;
+    return {std::lround(10 * (0.5 * kPanelWidth + scale * x)),
+            std::lround(10 * (0.5 * height - scale * y))};
+  }
+
   std::vector<glm::ivec2> dots;  // [points]
   double height = 0;             // pixels
-  double dot = 1;                // diameter, tenths
+  double diameter = 1;           // of a dot, tenths
 };
 
-View makeView(std::span<const SamplePoint> points, const LightSpace& light) {
+View makeView(StrandView strands, std::span<const SamplePoint> points, const LightSpace& light) {
   const glm::vec3 way = light.direction();
   const glm::vec3 world = std::abs(way.y) < 0.999f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
   // The eye looks along `world` x light; light then runs in the picture, +Y stays up.
@@ -54,20 +68,15 @@ View makeView(std::span<const SamplePoint> points, const LightSpace& light) {
   view.up = std::abs(way.y) < 0.999f ? world : glm::vec3(0, 1, 0);
   view.right = glm::normalize(glm::cross(eye, view.up));
   Bounds box;
-  for (const SamplePoint& p : points)
-    box.extend({glm::dot(p.position, view.right), glm::dot(p.position, view.up), 0});
+  for (const glm::vec3 p : strands.points)
+    box.extend({glm::dot(p, view.right), glm::dot(p, view.up), 0});
   const glm::dvec3 size = glm::max(glm::dvec3(box.size()), glm::dvec3(1e-6));
-  const double scale = std::min((kPanelWidth - 10) / size.x, (kTallest - 10) / size.y);
-  view.height = size.y * scale + 10;
-  const glm::dvec3 centre = box.centre();
-  for (const SamplePoint& p : points) {
-    const double x = static_cast<double>(glm::dot(p.position, view.right)) - centre.x;
-    const double y = static_cast<double>(glm::dot(p.position, view.up)) - centre.y;
-    view.dots.emplace_back(std::lround(10 * (0.5 * kPanelWidth + scale * x)),
-                           std::lround(10 * (0.5 * view.height - scale * y)));
-  }
-  const double area = size.x * size.y * scale * scale;
-  view.dot =
+  view.scale = std::min((kPanelWidth - 10) / size.x, (kTallest - 10) / size.y);
+  view.height = size.y * view.scale + 10;
+  view.centre = glm::dvec2(box.centre());
+  for (const SamplePoint& p : points) view.dots.push_back(view.dot(p.position));
+  const double area = size.x * size.y * view.scale * view.scale;
+  view.diameter =
       10 * std::clamp(std::sqrt(0.9 * area / static_cast<double>(points.size() + 1)), 1.4, 6.0);
   return view;
 }
@@ -81,8 +90,10 @@ void drawDots(Svg& svg, const View& view, double x, double y, const std::vector<
     paths[static_cast<std::size_t>(std::lround(level))] +=
         text('M', view.dots[i].x, ' ', view.dots[i].y, "h0");
   }
-  svg.raw(text("<g transform=\"translate(", x, ' ', y, ") scale(.1)\" fill=\"none\" "
-               "stroke-linecap=\"round\" stroke-width=\"", brief(view.dot), "\">\n"));
+  svg.raw(text("<g transform=\"translate(", x, ' ', y,
+               ") scale(.1)\" fill=\"none\" "
+               "stroke-linecap=\"round\" stroke-width=\"",
+               brief(view.diameter), "\">\n"));
   std::vector<int> order;
   for (int level = 0; level < kLevels; ++level) order.push_back(level);
   if (extremesOnTop)
@@ -94,6 +105,22 @@ void drawDots(Svg& svg, const View& view, double x, double y, const std::vector<
       svg.raw(text("<path stroke=\"", colourAt(map, static_cast<double>(level) / (kLevels - 1)),
                    "\" d=\"", path, "\"/>\n"));
   svg.raw("</g>\n");
+}
+
+// Some strands, to show where on the head the points are.
+std::string strandsPath(StrandView strands, const View& view) {
+  constexpr std::size_t kStrands = 220, kPoints = 24;
+  std::string path;
+  for (const std::uint32_t s : chooseStrands(strands.strandCount(), kStrands)) {
+    const auto points = strands.strand(s);
+    const std::size_t steps = std::min(points.size(), kPoints) - 1;
+    for (std::size_t k = 0; k <= steps; ++k) {
+      const glm::ivec2 at =
+          view.dot(points[k * (points.size() - 1) / std::max<std::size_t>(steps, 1)]);
+      path += text(k == 0 ? 'M' : 'L', at.x, ' ', at.y);
+    }
+  }
+  return path;
 }
 
 // 1-2-5, so that nine tenths of all differences are on the scale.
@@ -124,38 +151,39 @@ void drawScale(Svg& svg, double x, double y, double width, Map map,
   svg.words(x + 0.5 * width, y - 6, title, "text-anchor=\"middle\" font-size=\"11.5\"");
 }
 
-void drawLightArrow(Svg& svg, const MeasuredLight& light, const View& view) {
+void drawLightArrow(Svg& svg, const MeasuredLight& light, const View& view, glm::dvec2 middle) {
   const glm::vec3 way = light.space.direction();
   glm::dvec2 on(glm::dot(way, view.right), -glm::dot(way, view.up));
   on /= std::max(glm::length(on), 1e-6);
-  const glm::dvec2 tip = glm::dvec2(kPanelWidth - 26, kTop + 26) + 14.0 * on;
-  const glm::dvec2 tail = tip - 30.0 * on, side(-on.y, on.x);
+  const glm::dvec2 tip = middle + 15.0 * on, tail = middle - 15.0 * on, side(-on.y, on.x);
   svg.line(tail.x, tail.y, tip.x, tip.y, "stroke=\"#222\" stroke-width=\"2\"");
   svg.polyline({tip.x - 8 * on.x + 4 * side.x, tip.y - 8 * on.y + 4 * side.y, tip.x, tip.y,
                 tip.x - 8 * on.x - 4 * side.x, tip.y - 8 * on.y - 4 * side.y},
                "stroke=\"#222\" stroke-width=\"2\"");
-  svg.words(kPanelWidth - 26 - 16 * on.x, kTop + 60, "light",
-            "text-anchor=\"middle\" font-size=\"11\"");
+  svg.words(middle.x + 26, middle.y + 4, light.atPoint ? "light at the middle" : "light");
 }
 
 }  // namespace
 
 std::string differencePictures(const MeasureReport& report, const MeasuredCase& measured) {
-  const View view = makeView(report.points, measured.light.space);
+  const View view = makeView(report.hair.strands, report.points, measured.light.space);
   const int panels = static_cast<int>(measured.best.size()) + 1;
   const int rows = (panels + kColumns - 1) / kColumns;
   const double bottom = kTop + rows * (view.height + kGapY) - kGapY;
   Svg svg(kColumns * (kPanelWidth + kGapX), bottom + kLegend, "Difference from the truth");
   const double limit = scaleOf(measured);
+  const std::string strands = strandsPath(report.hair.strands, view);
   for (int panel = 0; panel < panels; ++panel) {
     const double x = (panel % kColumns) * (kPanelWidth + kGapX);
     const double y = kTop + (panel / kColumns) * (view.height + kGapY);
-    svg.rectangle(x, y, kPanelWidth, view.height, "fill=\"#fafafa\" stroke=\"#ddd\"");
+    svg.rectangle(x, y, kPanelWidth, view.height, "fill=\"#fff\" stroke=\"#ccc\"");
+    svg.raw(text("<path transform=\"translate(", brief(x, 5), ' ', brief(y, 5),
+                 ") scale(.1)\" fill=\"none\" stroke=\"#e6e6e6\" stroke-width=\"5\" d=\"", strands,
+                 "\"/>\n"));
     if (panel == 0) {
       svg.words(x, y - 19, "truth", "font-weight=\"bold\"");
       svg.words(x, y - 5, "transmittance", "font-size=\"10.5\" fill=\"#555\"");
       drawDots(svg, view, x, y, measured.truth.transmittance, kTransmittance, false);
-      drawLightArrow(svg, measured.light, view);
       continue;
     }
     const ShadowTrial& trial = measured.trials[measured.best[static_cast<std::size_t>(panel) - 1]];
@@ -177,6 +205,7 @@ std::string differencePictures(const MeasureReport& report, const MeasuredCase& 
   drawScale(svg, kPanelWidth + kGapX + 8, bottom + 30, 420, kDifference,
             {{0, "-" + plus}, {0.25, "-" + half}, {0.5, "0"}, {0.75, half}, {1, plus}},
             "method less truth: too dark (blue) to too light (red); larger differences on top");
+  drawLightArrow(svg, measured.light, view, {3 * (kPanelWidth + kGapX) + 40, bottom + 36});
   return svg.str();
 }
 

@@ -50,8 +50,7 @@ std::vector<ShadowCandidate> candidatesFor(const MeasureReport& report, const Li
                                            float footprint, const std::set<std::string>& wanted) {
   const CandidateSet set =
       report.options.methods == "quick" ? CandidateSet::Quick : CandidateSet::All;
-  std::vector<ShadowCandidate> list =
-      shadowCandidates(report.hair.strands, light, footprint, set);
+  std::vector<ShadowCandidate> list = shadowCandidates(report.hair.strands, light, footprint, set);
   std::erase_if(list, [&](const ShadowCandidate& candidate) {
     return !wanted.empty() && !wanted.contains(candidate.method);
   });
@@ -98,8 +97,8 @@ void measureFlicker(const MeasureReport& report, const FibreTracer& tracer,
   const std::vector<LightSpace> lights = turningLights(measured.light.space, turning);
   Progress progress("flicker", static_cast<std::int64_t>(measured.best.size()) + 1);
   for (const std::size_t t : measured.best) {
-    measured.flicker.push_back(flickerOf(measured.trials[t].candidate.settings,
-                                         report.hair.strands, fibre, lights, report.points));
+    measured.flicker.push_back(flickerOf(measured.trials[t].candidate.settings, report.hair.strands,
+                                         fibre, lights, report.points));
     progress.step();
   }
   std::vector<SamplePoint> few;
@@ -122,21 +121,19 @@ MeasuredCase measureCase(const MeasureReport& report, const FibreTracer& tracer,
       candidatesFor(report, light.space, footprint, wanted);
   const TruthSettings truth{footprint, options.rays, options.seed};
   std::cerr << light.name() << ", footprint " << footprint << " m: tracing "
-            << static_cast<double>(report.points.size()) * options.rays * 1e-6
-            << " million rays\n";
+            << static_cast<double>(report.points.size()) * options.rays * 1e-6 << " million rays\n";
   measured.truth = exactTransmittance(tracer, hair.fibre, light.space, report.points, truth);
 
   if (!options.html.empty()) {
     const glm::vec3 thick =
         thickOfHair(tracer, hair.strands, light.space, report.points, footprint);
-    measured.ray = makeVisibilityRay(tracer, hair.strands, hair.fibre, light.space, thick,
-                                     kRaySteps, truth);
+    measured.ray =
+        makeVisibilityRay(tracer, hair.strands, hair.fibre, light.space, thick, kRaySteps, truth);
   }
   {
     const TrialScene scene{hair.strands,  hair.fibre,     light.space,
                            report.points, measured.truth, measured.ray.points};
-    Progress progress("methods",
-                      static_cast<std::int64_t>(candidates.size()) * options.repeats);
+    Progress progress("methods", static_cast<std::int64_t>(candidates.size()) * options.repeats);
     measured.trials =
         runTrials(candidates, scene, options.repeats, [&progress] { progress.step(); });
   }

@@ -35,8 +35,9 @@ void printTable(const MeasureReport& report, const MeasuredCase& measured, std::
   for (const float t : measured.truth.transmittance) mean += static_cast<double>(t);
   mean /= std::max(static_cast<double>(measured.truth.transmittance.size()), 1.0);
 
-  out << measured.light.name() << ", footprint " << measured.footprint << " m: "
-      << report.points.size() << " samples, mean transmittance " << fixed(mean, 4) << "\n\n";
+  out << measured.light.name() << ", footprint " << measured.footprint
+      << " m: " << report.points.size() << " samples, mean transmittance " << fixed(mean, 4)
+      << "\n\n";
   const int name = static_cast<int>(width);
   out << "  " << std::left << std::setw(name) << "method" << std::right
       << "      mean absolute               RMS   99th percentile               bias  build ms "
@@ -73,19 +74,20 @@ void printTable(const MeasureReport& report, const MeasuredCase& measured, std::
 }
 
 void writeCsv(const MeasureReport& report, std::ostream& out) {
-  out << kCsvHeader << '\n' << std::setprecision(9);
+  out << kCsvHeader << '\n';
   for (const MeasuredCase& measured : report.cases)
     for (std::size_t t = 0; t < measured.trials.size(); ++t) {
       const ShadowTrial& trial = measured.trials[t];
       if (trial.failed()) continue;
       const glm::vec3 given = measured.light.given;
-      out << (measured.light.atPoint ? "point" : "parallel") << ',' << given.x << ',' << given.y
-          << ',' << given.z << ',' << measured.footprint << ',' << trial.candidate.method << ',';
+      out << std::setprecision(6) << (measured.light.atPoint ? "point" : "parallel") << ','
+          << given.x << ',' << given.y << ',' << given.z << ',' << measured.footprint << ','
+          << trial.candidate.method << ',';
       std::string settings = settingsText(trial.candidate.settings);
       std::replace(settings.begin(), settings.end(), ',', ';');
-      out << settings;
-      for (const ErrorFigures::Figure& f : {trial.error.meanAbsolute, trial.error.rms,
-                                            trial.error.percentile99, trial.error.bias})
+      out << settings << std::setprecision(9);
+      for (const ErrorFigures::Figure& f :
+           {trial.error.meanAbsolute, trial.error.rms, trial.error.percentile99, trial.error.bias})
         out << ',' << f.value << ',' << f.standardError;
       out << ',' << trial.buildMilliseconds << ',' << trial.sampleMilliseconds << ','
           << trial.sampleNanoseconds << ',' << trial.bytes << ','

@@ -25,7 +25,7 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
 <title>Hair shadows measured</title>
 <style>
 body { font: 15px/1.5 Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; color: #222;
-  background: #fff; max-width: 980px; margin: 32px auto; padding: 0 20px; }
+  background: #fff; max-width: 1060px; margin: 32px auto; padding: 0 20px; }
 h1 { font-size: 26px; line-height: 1.25; margin: 0 0 6px; }
 h2 { font-size: 20px; margin: 44px 0 4px; padding-top: 14px; border-top: 2px solid #222; }
 h3 { font-size: 16px; margin: 30px 0 4px; }
@@ -35,9 +35,9 @@ svg { display: block; max-width: 100%; height: auto; }
 svg.mark { display: inline-block; vertical-align: -2px; margin-right: 6px; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
-th, td { text-align: right; padding: 3px 9px; white-space: nowrap; }
+th, td { text-align: right; padding: 3px 7px; white-space: nowrap; }
 th { border-bottom: 1.5px solid #222; vertical-align: bottom; font-weight: 600; }
-th:first-child, td:first-child { text-align: left; padding-left: 2px; }
+th:first-child, td:first-child { text-align: left; padding-left: 2px; white-space: normal; }
 tbody tr:nth-child(even) { background: #f6f6f6; }
 tr.front td { font-weight: 700; }
 td small { color: #777; font-size: 11px; font-weight: 400; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iomanip>
 #include <sstream>
 
@@ -12,18 +13,30 @@ namespace hair {
 std::string escaped(std::string_view words) {
   std::string out;
   for (const char c : words) switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
     }
   return out;
 }
 
 std::string brief(double value, int digits) {
   std::ostringstream out;
-  out << std::setprecision(digits) << value;
+  // 1000 rather than 1e+03.
+  const int whole =
+      std::abs(value) < 1e6 ? static_cast<int>(std::log10(std::abs(value) + 1)) + 1 : 1;
+  out << std::setprecision(std::max(digits, whole)) << (value == 0 ? 0.0 : value);
   return out.str();
 }
 
@@ -31,15 +44,16 @@ double textWidth(std::string_view words, double fontSize) {
   double width = 0;
   for (const char c : words)
     width += std::string_view("iljtf.,:;|!'()[] ").find(c) != std::string_view::npos ? 0.31
-             : std::string_view("mwMW").find(c) != std::string_view::npos           ? 0.85
-                                                                                    : 0.57;
+             : std::string_view("mwMW").find(c) != std::string_view::npos            ? 0.85
+                                                                                     : 0.57;
   return width * fontSize;
 }
 
 Svg::Svg(double width, double height, std::string_view title)
     : body_(text("<svg viewBox=\"0 0 ", width, ' ', height, "\" width=\"", width, "\" height=\"",
-                 height, "\" role=\"img\" font-family=\"Helvetica, Arial, 'Liberation Sans', "
-                         "'DejaVu Sans', sans-serif\" font-size=\"12\" fill=\"#222\">\n<title>",
+                 height,
+                 "\" role=\"img\" font-family=\"Helvetica, Arial, 'Liberation Sans', "
+                 "'DejaVu Sans', sans-serif\" font-size=\"12\" fill=\"#222\">\n<title>",
                  escaped(title), "</title>\n")) {}
 
 void Svg::line(double x1, double y1, double x2, double y2, std::string_view attributes) {
@@ -65,9 +79,8 @@ void Svg::words(double x, double y, std::string_view words, std::string_view att
 }
 
 double Axis::pixel(double value) const {
-  const double part = logarithmic
-                          ? std::log(value / lowest) / std::log(highest / lowest)
-                          : (value - lowest) / (highest - lowest);
+  const double part = logarithmic ? std::log(value / lowest) / std::log(highest / lowest)
+                                  : (value - lowest) / (highest - lowest);
   return from + (to - from) * part;
 }
 
@@ -85,8 +98,7 @@ Axis logAxis(double lowest, double highest, double from, double to) {
     for (int digit = 1; digit <= 9; ++digit) {
       const double value = digit * std::pow(10.0, power);
       if (value < axis.lowest * 0.999999 || value > axis.highest * 1.000001) continue;
-      const bool labelled =
-          digit == 1 || ((digit == 2 || digit == 5) && decade > 90);
+      const bool labelled = digit == 1 || ((digit == 2 || digit == 5) && decade > 90);
       axis.ticks.push_back({value, labelled ? brief(value) : ""});
     }
   return axis;
@@ -99,8 +111,12 @@ Axis linearAxis(double lowest, double highest, double from, double to, int count
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   const double part = rough / power;
   const double step = power * (part < 1.5 ? 1 : part < 3.5 ? 2 : part < 7.5 ? 5 : 10);
-  for (double k = std::ceil(lowest / step - 1e-9); k * step <= highest + 1e-9 * step; ++k)
-    axis.ticks.push_back({k * step, brief(k * step)});
+  const auto first = static_cast<std::int64_t>(std::ceil(lowest / step - 1e-9));
+  const auto last = static_cast<std::int64_t>(std::floor(highest / step + 1e-9));
+  for (std::int64_t k = first; k <= last; ++k) {
+    const double value = static_cast<double>(k) * step;
+    axis.ticks.push_back({value, brief(value)});
+  }
   return axis;
 }
 

@@ -44,8 +44,8 @@ class LabelPlacer {
     Box best{};
     double least = std::numeric_limits<double>::infinity();
     constexpr double kAway[] = {9, 20, 34, 50, 70, 95};
-    constexpr double kWays[][2] = {{-1, 1}, {-1, 0}, {1, -1}, {1, 0}, {0, 1}, {0, -1}, {-1, -1},
-                                   {1, 1}};
+    constexpr double kWays[][2] = {{-1, 1}, {-1, 0}, {1, -1},  {1, 0},
+                                   {0, 1},  {0, -1}, {-1, -1}, {1, 1}};
     for (const double away : kAway)
       for (const auto& way : kWays) {
         const double cx = x + way[0] * (away + 0.5 * width);
@@ -99,8 +99,8 @@ void drawAxes(Svg& svg, const Axis& x, const Axis& y, std::size_t pointCount) {
 void drawLegend(Svg& svg, std::span<const ShadowTrial> trials) {
   std::vector<std::string> methods;
   for (const ShadowTrial& trial : trials)
-    if (!trial.failed() && std::find(methods.begin(), methods.end(), trial.candidate.method) ==
-                               methods.end())
+    if (!trial.failed() &&
+        std::find(methods.begin(), methods.end(), trial.candidate.method) == methods.end())
       methods.push_back(trial.candidate.method);
   double y = kTop + 14;
   for (const std::string& method : methods) {
@@ -156,8 +156,10 @@ std::string errorTimePlot(std::span<const ShadowTrial> trials, std::span<const s
       range.extend({static_cast<float>(std::max(trial.milliseconds(), 1e-6)),
                     static_cast<float>(std::max(trial.error.meanAbsolute.value, 1e-6)), 0});
   if (!(range.lower.x <= range.upper.x)) return svg.str();
-  const Axis x = logAxis(static_cast<double>(range.lower.x), static_cast<double>(range.upper.x), kLeft, kRight);
-  const Axis y = logAxis(static_cast<double>(range.lower.y), static_cast<double>(range.upper.y), kBottom, kTop);
+  const Axis x = logAxis(static_cast<double>(range.lower.x), static_cast<double>(range.upper.x),
+                         kLeft, kRight);
+  const Axis y = logAxis(static_cast<double>(range.lower.y), static_cast<double>(range.upper.y),
+                         kBottom, kTop);
   drawAxes(svg, x, y, pointCount);
   drawLegend(svg, trials);
 
@@ -178,7 +180,8 @@ std::string errorTimePlot(std::span<const ShadowTrial> trials, std::span<const s
       if (trial.failed() || isFront(t) != onFront) continue;
       const ErrorFigures::Figure error = trial.error.meanAbsolute;
       const double least = std::max(error.value - error.standardError, y.lowest);
-      svg.line(px[t], y.pixel(least), px[t], y.pixel(std::min(error.value + error.standardError, y.highest)),
+      svg.line(px[t], y.pixel(least), px[t],
+               y.pixel(std::min(error.value + error.standardError, y.highest)),
                text("stroke=\"", methodStyle(trial.candidate.method).colour, "\""));
       svg.raw(marker(trial.candidate.method, px[t], py[t], onFront ? 1.1 : 0.8,
                      text(trial.candidate.label, ": ", brief(trial.milliseconds()), " ms, ",

@@ -8,8 +8,8 @@ namespace hair {
 
 namespace {
 
-constexpr int kColumns = 3;
-constexpr double kPanelWidth = 262, kPanelHeight = 176, kGapX = 38, kGapY = 66;
+constexpr int kColumns = 4;
+constexpr double kPanelWidth = 208, kPanelHeight = 170, kGapX = 36, kGapY = 66;
 constexpr double kLeft = 54, kTop = 46, kBottom = 52;
 
 void drawCurve(Svg& svg, const std::vector<float>& depth, const std::vector<float>& values,
@@ -21,20 +21,31 @@ void drawCurve(Svg& svg, const std::vector<float>& depth, const std::vector<floa
   svg.polyline(line, attributes);
 }
 
+void drawLegend(Svg& svg, double x, double y) {
+  svg.line(x, y, x + 30, y, "stroke=\"#c4c4c4\" stroke-width=\"6\"");
+  svg.words(x + 38, y + 4, "truth");
+  svg.line(x, y + 22, x + 30, y + 22, "stroke=\"#444\" stroke-width=\"2\"");
+  svg.words(x + 38, y + 26, "most accurate setting");
+  svg.line(x, y + 44, x + 30, y + 44,
+           "stroke=\"#444\" stroke-width=\"0.9\" stroke-opacity=\"0.5\"");
+  svg.words(x + 38, y + 48, "other settings");
+}
+
 }  // namespace
 
 std::string visibilityPlot(const MeasuredCase& measured) {
   const int panels = static_cast<int>(measured.best.size());
-  const int rows = (panels + kColumns - 1) / kColumns;
-  Svg svg(kLeft + kColumns * (kPanelWidth + kGapX), kTop + rows * (kPanelHeight + kGapY) - kGapY + kBottom,
-          "Transmittance along one ray");
+  const int rows = panels / kColumns + 1;  // with a place for the legend
+  Svg svg(kLeft + kColumns * (kPanelWidth + kGapX),
+          kTop + rows * (kPanelHeight + kGapY) - kGapY + kBottom, "Transmittance along one ray");
   for (int panel = 0; panel < panels; ++panel) {
     const std::size_t best = measured.best[static_cast<std::size_t>(panel)];
     const ShadowCandidate& candidate = measured.trials[best].candidate;
     const double left = kLeft + (panel % kColumns) * (kPanelWidth + kGapX);
     const double top = kTop + (panel / kColumns) * (kPanelHeight + kGapY);
     const double bottom = top + kPanelHeight, right = left + kPanelWidth;
-    const Axis x = linearAxis(0, static_cast<double>(measured.ray.depth.back()) * 1000, left, right, 5);
+    const Axis x =
+        linearAxis(0, static_cast<double>(measured.ray.depth.back()) * 1000, left, right, 5);
     const Axis y = linearAxis(0, 1.02, bottom, top, 5);
     for (const Axis::Tick& tick : x.ticks) {
       const double at = x.pixel(tick.value);
@@ -62,7 +73,9 @@ std::string visibilityPlot(const MeasuredCase& measured) {
     const std::string settings = candidate.label == candidate.method
                                      ? settingsText(candidate.settings)
                                      : candidate.label.substr(candidate.method.size() + 1);
-    svg.words(left, top - 5, settings, "font-size=\"10.5\" fill=\"#555\"");
+    svg.words(left, top - 5, settings,
+              text("font-size=\"", textWidth(settings, 10.5) > kPanelWidth + 20 ? 9.2 : 10.5,
+                   "\" fill=\"#555\""));
     if (panel + kColumns >= panels)
       svg.words(0.5 * (left + right), bottom + 36, "depth along the ray (mm)",
                 "text-anchor=\"middle\"");
@@ -71,6 +84,8 @@ std::string visibilityPlot(const MeasuredCase& measured) {
                 text("text-anchor=\"middle\" transform=\"translate(14 ", 0.5 * (top + bottom),
                      ") rotate(-90)\""));
   }
+  drawLegend(svg, kLeft + (panels % kColumns) * (kPanelWidth + kGapX),
+             kTop + (panels / kColumns) * (kPanelHeight + kGapY) + 30);
   return svg.str();
 }
 

@@ -45,7 +45,8 @@ float extentSeen(StrandView strands, const LightSpace& light) {
 }
 
 DensityMapSettings densityMap(float cellSize, float extent, Deposit deposit, Filter filter) {
-  DensityMapSettings settings = settingsForFootprint(cellSize, extent, kMostCells);
+  // Hair that begins in the middle of a cell needs one more.
+  DensityMapSettings settings = settingsForFootprint(cellSize, extent + 2 * cellSize, kMostCells);
   settings.deposit = deposit;
   settings.filter = filter;
   return settings;
@@ -103,6 +104,9 @@ void addOpacityMaps(float footprint, CandidateSet set, List& list) {
     settings.slices = slices;
     list.add(settings);
   }
+  settings.pixelSize = footprint * 1.5f;
+  settings.slices = 64;
+  list.add(settings);
   list.add(OpacityMapSettings{footprint, 16, Extinction::Published, LateralFilter::Nearest});
 }
 
@@ -127,6 +131,9 @@ void addDeepOpacityMaps(float footprint, CandidateSet set, List& list) {
   settings.pixelSize = footprint;
   settings.depth *= 2;
   list.add(settings);
+  settings.pixelSize = footprint * 1.5f;
+  list.add(settings);
+  settings.pixelSize = footprint;
   settings.beyond = DeepOpacityMapSettings::Beyond::LargerLayers;
   list.add(settings);
   // As the paper's own figures: three layers, one fetch.
@@ -151,6 +158,8 @@ void addDensityClusterings(float footprint, CandidateSet set, List& list) {
     settings.clusters = clusters;
     list.add(settings);
   }
+  settings.pixelSize = footprint * 1.5f;
+  list.add(settings);
   settings.pixelSize = footprint;
   settings.start = DensityClusteringSettings::Start::TowardsLight;
   list.add(settings);
@@ -174,6 +183,9 @@ void addDeepShadowMaps(float footprint, CandidateSet set, List& list) {
     settings.tolerance = tolerance;
     list.add(settings);
   }
+  settings.pixelSize = footprint * 1.5f;
+  settings.tolerance = 0.01f;
+  list.add(settings);
   settings.pixelSize = footprint;
   settings.tolerance = 0;
   list.add(settings);

@@ -22,10 +22,9 @@ std::vector<LightSpace> turningLights(const LightSpace& light, const FlickerSett
   for (int k = 1; k <= settings.steps; ++k) {
     const double angle = glm::radians(static_cast<double>(settings.degrees)) * k;
     const glm::vec3 turned = std::cos(angle) * way + std::sin(angle) * side;
-    lights.push_back(light.atPoint()
-                         ? makePointLightSpace(light.pivot - turned / light.curvature, light.pivot,
-                                               light.origin)
-                         : makeLightSpace(turned, light.origin));
+    lights.push_back(light.atPoint() ? makePointLightSpace(light.pivot - turned / light.curvature,
+                                                           light.pivot, light.origin)
+                                     : makeLightSpace(turned, light.origin));
   }
   return lights;
 }
@@ -62,7 +61,8 @@ Flicker flickerOf(std::span<const LightSpace> lights, std::size_t pointCount,
       shimmer += bend * bend / 6;
     }
   }
-  const double perPoint = std::max(static_cast<double>(pointCount), 1.0) * static_cast<double>(n - 2);
+  const double perPoint =
+      std::max(static_cast<double>(pointCount), 1.0) * static_cast<double>(n - 2);
   return {std::sqrt(shimmer / perPoint), std::sqrt(swim / perPoint)};
 }
 
@@ -77,9 +77,8 @@ Flicker flickerOf(const ShadowSettings& settings, StrandView strands, const Fibr
   });
 }
 
-Flicker flickerOf(const FibreTracer& tracer, const Fibre& fibre,
-                  std::span<const LightSpace> lights, std::span<const SamplePoint> points,
-                  const TruthSettings& settings) {
+Flicker flickerOf(const FibreTracer& tracer, const Fibre& fibre, std::span<const LightSpace> lights,
+                  std::span<const SamplePoint> points, const TruthSettings& settings) {
   return flickerOf(lights, points.size(), [&](const LightSpace& light, std::span<float> out) {
     const Truth truth = exactTransmittance(tracer, fibre, light, points, settings);
     std::copy(truth.transmittance.begin(), truth.transmittance.end(), out.begin());

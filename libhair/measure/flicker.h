@@ -16,12 +16,12 @@ namespace hair {
 /// How shadows on still hair move when the light turns slowly, beyond what they should.
 ///
 /// Let T[k] be the transmittance of a point under light k, each turned by a small equal step from
-/// the one before. The true transmittance of a disc as large as the footprint changes smoothly: over
-/// a few steps of 0.1 degree almost along a line. What does not is the method's own:
+/// the one before. The true transmittance of a disc as large as the footprint changes smoothly:
+/// over a few steps of 0.1 degree almost along a line. What does not is the method's own:
 ///
 ///   shimmer  RMS over points and steps of (T[k-1] - 2 T[k] + T[k+1]) / sqrt(6). A line gives 0;
-///            noise of standard deviation s from step to step, independent, gives s (1 + 4 + 1 = 6).
-///            It is what one sees as flicker from frame to frame.
+///            noise of standard deviation s from step to step, independent, gives s (1 + 4 + 1 =
+///            6). It is what one sees as flicker from frame to frame.
 ///   swim     RMS distance of T from its straight line (least squares) over all steps, two degrees
 ///            of freedom taken off, so that the same noise gives s as well. It also holds what is
 ///            slower than a step: cells that pass under the hair. The truth bends a little over all
@@ -50,8 +50,7 @@ Flicker flickerOf(const ShadowSettings& settings, StrandView strands, const Fibr
                   std::span<const LightSpace> lights, std::span<const SamplePoint> points);
 
 /// Of the truth, its noise included (the same rays under every light).
-Flicker flickerOf(const FibreTracer& tracer, const Fibre& fibre,
-                  std::span<const LightSpace> lights, std::span<const SamplePoint> points,
-                  const TruthSettings& settings);
+Flicker flickerOf(const FibreTracer& tracer, const Fibre& fibre, std::span<const LightSpace> lights,
+                  std::span<const SamplePoint> points, const TruthSettings& settings);
 
 }  // namespace hair

@@ -54,8 +54,9 @@ void runOnce(const TrialScene& scene, ShadowTrial& trial, Times& times, std::vec
 }
 
 void checkScene(const TrialScene& scene) {
-  require(scene.points.size() == scene.truth.transmittance.size(), "shadow trial: ",
-          scene.points.size(), " points but the truth at ", scene.truth.transmittance.size());
+  require(scene.points.size() == scene.truth.transmittance.size(),
+          "shadow trial: ", scene.points.size(), " points but the truth at ",
+          scene.truth.transmittance.size());
   for (const SamplePoint& point : scene.points)
     require(point.point < scene.strands.pointCount(), "shadow trial: sample point ", point.point,
             " of ", scene.strands.pointCount(), " points");
@@ -99,7 +100,8 @@ std::vector<std::size_t> bestOfEachMethod(std::span<const ShadowTrial> trials) {
     const auto [entry, isNew] = place.try_emplace(trials[t].candidate.method, best.size());
     if (isNew)
       best.push_back(t);
-    else if (trials[t].error.meanAbsolute.value < trials[best[entry->second]].error.meanAbsolute.value)
+    else if (trials[t].error.meanAbsolute.value <
+             trials[best[entry->second]].error.meanAbsolute.value)
       best[entry->second] = t;
   }
   return best;

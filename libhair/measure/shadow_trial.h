@@ -22,9 +22,9 @@ struct TrialScene {
   StrandView strands;
   Fibre fibre;
   LightSpace light;
-  std::span<const SamplePoint> points;   ///< [truth.transmittance.size()]
+  std::span<const SamplePoint> points;  ///< [truth.transmittance.size()]
   const Truth& truth;
-  std::span<const glm::vec3> probes{};   ///< where else transmittance is wanted, on a ray say
+  std::span<const glm::vec3> probes{};  ///< where else transmittance is wanted, on a ray say
 };
 
 /// What a way to shadow costs, and how far from the truth it is.
@@ -32,10 +32,10 @@ struct ShadowTrial {
   ShadowCandidate candidate;
   std::string failure;  ///< why it cannot shadow this hair; empty: it can. All below is empty else
   ErrorFigures error;   ///< at the scene's points
-  double buildMilliseconds = 0;   ///< median; in memory that an earlier build has left
-  double sampleMilliseconds = 0;  ///< median; sampleStrands, all points of the hair
-  double sampleNanoseconds = 0;   ///< that, a point
-  std::size_t bytes = 0;          ///< ShadowMethod::bytes
+  double buildMilliseconds = 0;      ///< median; in memory that an earlier build has left
+  double sampleMilliseconds = 0;     ///< median; sampleStrands, all points of the hair
+  double sampleNanoseconds = 0;      ///< that, a point
+  std::size_t bytes = 0;             ///< ShadowMethod::bytes
   std::vector<float> transmittance;  ///< [scene.points.size()], by sampleStrands: own strand left
                                      ///< out, as in the truth, where the method knows how
   std::vector<float> probes;         ///< [scene.probes.size()], by sample

@@ -12,8 +12,8 @@ namespace hair {
 
 namespace {
 
-constexpr std::size_t kLooks = 512;        // points looked at
-constexpr std::size_t kCoarseSteps = 96;   // to find where the hair begins and ends
+constexpr std::size_t kLooks = 512;       // points looked at
+constexpr std::size_t kCoarseSteps = 96;  // to find where the hair begins and ends
 constexpr float kLit = 0.998f, kFalling = 0.002f;
 
 // Where the light's ray through p enters and leaves the ball about the hair's box.
