@@ -10,26 +10,42 @@ namespace hair {
 
 namespace {
 
+glm::vec3 vectorFromText(const std::string& name, const std::string& words) {
+  std::istringstream in(words);
+  char comma1 = 0, comma2 = 0;
+  glm::vec3 v;
+  if (!(in >> v.x >> comma1 >> v.y >> comma2 >> v.z) || comma1 != ',' || comma2 != ',' ||
+      !(in >> std::ws).eof())
+    throw CLI::ValidationError(name, "wants X,Y,Z, three numbers; got " + words);
+  return v;
+}
+
 // X,Y,Z as one word, so that a negative first number is no option.
 void addVector(CLI::App& command, const std::string& name, glm::vec3& value,
                const std::string& help) {
   command
       .add_option_function<std::string>(
-          name,
-          [&value, name](const std::string& words) {
-            std::istringstream in(words);
-            char comma1 = 0, comma2 = 0;
-            glm::vec3 v;
-            if (!(in >> v.x >> comma1 >> v.y >> comma2 >> v.z) || comma1 != ',' || comma2 != ',' ||
-                !(in >> std::ws).eof())
-              throw CLI::ValidationError(name, "wants X,Y,Z, three numbers; got " + words);
-            value = v;
-          },
+          name, [&value, name](const std::string& words) { value = vectorFromText(name, words); },
           help)
       ->type_name("X,Y,Z");
 }
 
 }  // namespace
+
+void addVectors(CLI::App& command, const std::string& name, std::vector<glm::vec3>& values,
+                const std::string& help) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [&values, name](const std::vector<std::string>& all) {
+            values.clear();
+            for (const std::string& words : all) values.push_back(vectorFromText(name, words));
+          },
+          help)
+      ->expected(1)
+      ->take_all()
+      ->type_name("X,Y,Z");
+}
 
 void addReadOptions(CLI::App& command, ReadOptions& read) {
   command
@@ -51,7 +67,7 @@ void addReadOptions(CLI::App& command, ReadOptions& read) {
       ->type_name("AXIS");
 }
 
-void addSubjectOptions(CLI::App& command, SubjectOptions& subject) {
+void addHairOptions(CLI::App& command, SubjectOptions& subject) {
   static const std::map<std::string, Style> styles = {
       {"smooth", Style::Smooth}, {"curly", Style::Curly}, {"long", Style::Long}};
   auto* style = command
@@ -61,6 +77,19 @@ void addSubjectOptions(CLI::App& command, SubjectOptions& subject) {
                     ->type_name("STYLE");
   command.add_option("--hair", subject.hair, "hair of a file instead: .hair, .tfx or .data")
       ->excludes(style);
+  command
+      .add_option("--strands", subject.strands,
+                  "drawn strands; default: the style's, or all of the file's")
+      ->check(CLI::Range(1, 10'000'000));
+  command
+      .add_option("--points", subject.points,
+                  "points of a drawn strand; default: the style's, or the file's")
+      ->check(CLI::Range(2, 4096));
+  addReadOptions(command, subject.read);
+}
+
+void addSubjectOptions(CLI::App& command, SubjectOptions& subject) {
+  addHairOptions(command, subject);
   command
       .add_option(
           "--head", subject.heads,
@@ -76,17 +105,8 @@ void addSubjectOptions(CLI::App& command, SubjectOptions& subject) {
       ->check(within(1e-9, 1e9));
   command.add_flag("--still", subject.still, "nobody moves");
   command
-      .add_option("--strands", subject.strands,
-                  "drawn strands; default: the style's, or all of the file's")
-      ->check(CLI::Range(1, 10'000'000));
-  command
-      .add_option("--points", subject.points,
-                  "points of a drawn strand; default: the style's, or the file's")
-      ->check(CLI::Range(2, 4096));
-  command
       .add_option("--guides", subject.guides, "simulated strands of a loaded groom; default 402")
       ->check(CLI::Range(1, 1'000'000));
-  addReadOptions(command, subject.read);
 }
 
 void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, int& threads) {

@@ -5,8 +5,10 @@
 #include <functional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
+#include <glm/glm.hpp>
 
 #include <apps/common/performance.h>
 #include <apps/common/results.h>
@@ -17,10 +19,17 @@ namespace hair {
 
 /// The options that several programs have: spelled once, so that they mean the same everywhere.
 
+/// NAME X,Y,Z, as often as wanted; `values` are replaced by those of the command line.
+void addVectors(CLI::App& command, const std::string& name, std::vector<glm::vec3>& values,
+                const std::string& help);
+
 /// --scale, --up
 void addReadOptions(CLI::App& command, ReadOptions& read);
 
-/// --style, --hair, --head, --motion, --still, --strands, --points, --guides, --scale, --up
+/// --style, --hair, --strands, --points, --scale, --up
+void addHairOptions(CLI::App& command, SubjectOptions& subject);
+
+/// Those and --head, --motion, --motion-scale, --still, --guides
 void addSubjectOptions(CLI::App& command, SubjectOptions& subject);
 
 /// --fps, --cells, --light, --wind, --no-shadow, --no-self-collision, --settle, --threads

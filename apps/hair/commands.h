@@ -1,7 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
 
 #include <apps/common/performance.h>
 #include <apps/common/results.h>
@@ -56,5 +61,25 @@ struct RenderOptions {
   std::filesystem::path out;  ///< .png or .exr
 };
 void runRender(const RenderOptions& options);
+
+/// hair measure
+struct MeasureOptions {
+  SubjectOptions subject;         ///< --style, or --hair with its strands as they are in the file
+  float width = 0;                ///< of a strand, metres; 0: the groom's, the file's, or 80e-6
+  float alpha = 0;                ///< opacity of a fibre, (0, 1]; 0: Fibre's
+  std::vector<glm::vec3> lights;  ///< the ways that lights at infinity travel
+  std::vector<glm::vec3> lamps;   ///< positions of lights at points, metres
+  std::vector<float> footprints = {3e-3f};  ///< metres
+  std::size_t samples = 4000;
+  std::uint32_t rays = 2048;  ///< a sample point
+  std::uint32_t seed = 1;
+  std::string methods = "all";  ///< or "quick", or names with hyphens and commas between
+  int repeats = 5;              ///< timed runs of each method and setting
+  int flickerSteps = 20;        ///< of 0.1 degree; 0: flicker is not measured
+  int threads = 0;
+  std::filesystem::path csv, dump, html;
+  std::string commandLine;  ///< as typed, for who repeats it
+};
+void runMeasure(const MeasureOptions& options);
 
 }  // namespace hair

@@ -1,32 +1,15 @@
 // The program as scripts see it: exit codes, streams, files.
-#include <array>
-#include <cstdio>
+#include <algorithm>
 #include <string>
-
-#include <sys/wait.h>
 
 #include <gtest/gtest.h>
 
 #include <libhair/files/strand_file.h>
+#include <tests/apps/outcome.h>
 #include <tests/files/samples.h>
 
 namespace hair {
 namespace {
-
-struct Outcome {
-  int code;
-  std::string out;  // both streams
-};
-
-Outcome run(const std::string& arguments) {
-  FILE* pipe = popen((std::string(HAIR_PROGRAM) + ' ' + arguments + " 2>&1").c_str(), "r");
-  std::string out;
-  std::array<char, 4096> block;
-  while (const std::size_t size = std::fread(block.data(), 1, block.size(), pipe))
-    out.append(block.data(), size);
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out};
-}
 
 TEST(CommandLine, ExitCodesTellDoneFromBadInputFromBadUsage) {
   const TemporaryFolder folder;

@@ -1,0 +1,123 @@
+#include <apps/hair/svg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <sstream>
+
+#include <libhair/core/error.h>
+
+namespace hair {
+
+std::string escaped(std::string_view words) {
+  std::string out;
+  for (const char c : words) switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  return out;
+}
+
+std::string brief(double value, int digits) {
+  std::ostringstream out;
+  // 1000 rather than 1e+03.
+  const int whole =
+      std::abs(value) < 1e6 ? static_cast<int>(std::log10(std::abs(value) + 1)) + 1 : 1;
+  out << std::setprecision(std::max(digits, whole)) << (value == 0 ? 0.0 : value);
+  return out.str();
+}
+
+double textWidth(std::string_view words, double fontSize) {
+  double width = 0;
+  for (const char c : words)
+    width += std::string_view("iljtf.,:;|!'()[] ").find(c) != std::string_view::npos ? 0.31
+             : std::string_view("mwMW").find(c) != std::string_view::npos            ? 0.85
+                                                                                     : 0.57;
+  return width * fontSize;
+}
+
+Svg::Svg(double width, double height, std::string_view title)
+    : body_(text("<svg viewBox=\"0 0 ", width, ' ', height, "\" width=\"", width, "\" height=\"",
+                 height,
+                 "\" role=\"img\" font-family=\"Helvetica, Arial, 'Liberation Sans', "
+                 "'DejaVu Sans', sans-serif\" font-size=\"12\" fill=\"#222\">\n<title>",
+                 escaped(title), "</title>\n")) {}
+
+void Svg::line(double x1, double y1, double x2, double y2, std::string_view attributes) {
+  body_ += text("<line x1=\"", brief(x1, 5), "\" y1=\"", brief(y1, 5), "\" x2=\"", brief(x2, 5),
+                "\" y2=\"", brief(y2, 5), "\" ", attributes, "/>\n");
+}
+
+void Svg::rectangle(double x, double y, double width, double height, std::string_view attributes) {
+  body_ += text("<rect x=\"", brief(x, 5), "\" y=\"", brief(y, 5), "\" width=\"", brief(width, 5),
+                "\" height=\"", brief(height, 5), "\" ", attributes, "/>\n");
+}
+
+void Svg::polyline(const std::vector<double>& xy, std::string_view attributes) {
+  body_ += "<polyline points=\"";
+  for (std::size_t i = 0; i + 1 < xy.size(); i += 2)
+    body_ += text(i > 0 ? " " : "", brief(xy[i], 5), ',', brief(xy[i + 1], 5));
+  body_ += text("\" fill=\"none\" ", attributes, "/>\n");
+}
+
+void Svg::words(double x, double y, std::string_view words, std::string_view attributes) {
+  body_ += text("<text x=\"", brief(x, 5), "\" y=\"", brief(y, 5), "\" ", attributes, '>',
+                escaped(words), "</text>\n");
+}
+
+double Axis::pixel(double value) const {
+  const double part = logarithmic ? std::log(value / lowest) / std::log(highest / lowest)
+                                  : (value - lowest) / (highest - lowest);
+  return from + (to - from) * part;
+}
+
+Axis logAxis(double lowest, double highest, double from, double to) {
+  lowest = std::max(lowest, 1e-12);
+  highest = std::max(highest, lowest);
+  // At least half a decade, and a tenth of the whole as a margin.
+  const double missing = std::max(std::log10(3.0) - std::log10(highest / lowest), 0.0);
+  const double margin = std::pow(10.0, 0.5 * missing + 0.06 * std::log10(highest / lowest));
+  Axis axis{lowest / margin, highest * margin, from, to, true, {}};
+  const double decade = std::abs(to - from) / std::log10(axis.highest / axis.lowest);
+  const int first = static_cast<int>(std::floor(std::log10(axis.lowest)));
+  const int last = static_cast<int>(std::ceil(std::log10(axis.highest)));
+  for (int power = first; power <= last; ++power)
+    for (int digit = 1; digit <= 9; ++digit) {
+      const double value = digit * std::pow(10.0, power);
+      if (value < axis.lowest * 0.999999 || value > axis.highest * 1.000001) continue;
+      const bool labelled = digit == 1 || ((digit == 2 || digit == 5) && decade > 90);
+      axis.ticks.push_back({value, labelled ? brief(value) : ""});
+    }
+  return axis;
+}
+
+Axis linearAxis(double lowest, double highest, double from, double to, int count) {
+  highest = highest > lowest ? highest : lowest + 1;
+  Axis axis{lowest, highest, from, to, false, {}};
+  const double rough = (highest - lowest) / std::max(count, 1);
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  const double part = rough / power;
+  const double step = power * (part < 1.5 ? 1 : part < 3.5 ? 2 : part < 7.5 ? 5 : 10);
+  const auto first = static_cast<std::int64_t>(std::ceil(lowest / step - 1e-9));
+  const auto last = static_cast<std::int64_t>(std::floor(highest / step + 1e-9));
+  for (std::int64_t k = first; k <= last; ++k) {
+    const double value = static_cast<double>(k) * step;
+    axis.ticks.push_back({value, brief(value)});
+  }
+  return axis;
+}
+
+}  // namespace hair

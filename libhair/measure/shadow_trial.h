@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <libhair/core/strands.h>
+#include <libhair/measure/candidates.h>
+#include <libhair/measure/error_figures.h>
+#include <libhair/measure/truth.h>
+#include <libhair/model/groom.h>
+#include <libhair/shadow/light_space.h>
+
+namespace hair {
+
+/// What ways to shadow are tried on: hair under one light, and the truth at some of its points.
+struct TrialScene {
+  StrandView strands;
+  Fibre fibre;
+  LightSpace light;
+  std::span<const SamplePoint> points;  ///< [truth.transmittance.size()]
+  const Truth& truth;
+  std::span<const glm::vec3> probes{};  ///< where else transmittance is wanted, on a ray say
+};
+
+/// What a way to shadow costs, and how far from the truth it is.
+struct ShadowTrial {
+  ShadowCandidate candidate;
+  std::string failure;  ///< why it cannot shadow this hair; empty: it can. All below is empty else
+  ErrorFigures error;   ///< at the scene's points
+  double buildMilliseconds = 0;      ///< median; in memory that an earlier build has left
+  double sampleMilliseconds = 0;     ///< median; sampleStrands, all points of the hair
+  double sampleNanoseconds = 0;      ///< that, a point
+  std::size_t bytes = 0;             ///< ShadowMethod::bytes
+  std::vector<float> transmittance;  ///< [scene.points.size()], by sampleStrands: own strand left
+                                     ///< out, as in the truth, where the method knows how
+  std::vector<float> probes;         ///< [scene.probes.size()], by sample
+
+  bool failed() const { return !failure.empty(); }
+  /// Build and sample: what a frame with moving hair pays.
+  double milliseconds() const { return buildMilliseconds + sampleMilliseconds; }
+};
+
+/// Tries every candidate `repeats` times (>= 1) and takes the median times. Rounds go over all
+/// candidates, there and back by turns, so that a machine that slows down slows all alike. Before
+/// every timed build there is one that is not, so that pages and caches are warm, and only one
+/// candidate's memory is held at a time. A candidate that throws Error fails alone. Everything but
+/// the times has the same bits in every run. `done`, if any, is called after each of the
+/// candidates.size() · repeats steps. Throws Error where points, truth and strands disagree.
+std::vector<ShadowTrial> runTrials(std::span<const ShadowCandidate> candidates,
+                                   const TrialScene& scene, int repeats,
+                                   const std::function<void()>& done = {});
+
+/// The most accurate (least mean absolute error) trial of each method, in the order of their first
+/// appearance; methods of which all failed are left out. Indices into `trials`.
+std::vector<std::size_t> bestOfEachMethod(std::span<const ShadowTrial> trials);
+
+/// paretoFront of milliseconds() and mean absolute error, without those that failed.
+std::vector<std::size_t> trialFront(std::span<const ShadowTrial> trials);
+
+}  // namespace hair
