@@ -45,7 +45,7 @@ TEST(Dance, WhatIsOffCostsNothing) {
   scene.step();
   EXPECT_TRUE(scene.hair.transmittance.empty());
   EXPECT_TRUE(scene.hair.colours.empty());
-  EXPECT_EQ(scene.hair.map.counts.data(), nullptr);
+  EXPECT_FALSE(scene.hair.map.bricks.valid());
   for (Stage stage :
        {Stage::Deposit, Stage::Transmittance, Stage::Filter, Stage::Shade, Stage::SelfCollision})
     EXPECT_EQ(scene.profile[static_cast<std::size_t>(stage)].nanoseconds, 0);
