@@ -23,7 +23,7 @@ void addReadOptions(CLI::App& command, ReadOptions& read);
 /// --style, --hair, --head, --motion, --still, --strands, --points, --guides, --scale, --up
 void addSubjectOptions(CLI::App& command, SubjectOptions& subject);
 
-/// --fps, --cells, --light, --wind, --no-shadow, --no-self-collision, --settle, --threads
+/// --fps, --cells, --light, --point, --wind, --no-shadow, --no-self-collision, --settle, --threads
 void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, int& threads);
 
 /// --profile, --stats, --hash
