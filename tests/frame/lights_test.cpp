@@ -52,8 +52,8 @@ FrameSettings litBy(std::vector<Light> lights) {
   return settings;
 }
 
-const Light kRed = Light::parallel({1, 0, 0}, {1, 0, 0});        // from -x
-const Light kBlue = Light::parallel({-1, 0, 0}, {0, 0, 1});      // from +x
+const Light kRed = Light::parallel({1, 0, 0}, {1, 0, 0});         // from -x
+const Light kBlue = Light::parallel({-1, 0, 0}, {0, 0, 1});       // from +x
 const Light kLamp = Light::point({0.1f, 0.5f, 0.4f}, {0, 1, 0});  // near by
 
 int byte(std::uint32_t colour, int channel) {
@@ -109,8 +109,7 @@ TEST(FrameLights, FarAwayAtAPointAreParallel) {
     const Ball ball(litBy({Light::point(-distance * way)}));
     float most = 0;
     for (std::size_t p = 0; p < parallel.hair.colours.size(); ++p) {
-      most = std::max(most,
-                      std::abs(parallel.hair.transmittance[p] - ball.hair.transmittance[p]));
+      most = std::max(most, std::abs(parallel.hair.transmittance[p] - ball.hair.transmittance[p]));
       if (distance < 1e4f) continue;
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(byte(parallel.hair.colours[p], c), byte(ball.hair.colours[p], c), 1);

@@ -72,7 +72,8 @@ TEST(Lights, AddUpBeforeTheEncoding) {
   KajiyaKaySettings look;
   look.rootColour = look.tipColour = glm::vec3(0.5f);
   const Colours both = shade(strands, {a, b}, look, joined(ta, tb), joined(va, vb));
-  const Colours onlyA = shade(strands, {a}, look, ta, va), onlyB = shade(strands, {b}, look, tb, vb);
+  const Colours onlyA = shade(strands, {a}, look, ta, va),
+                onlyB = shade(strands, {b}, look, tb, vb);
   const Colours ambient = shade(strands, {}, look);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < n; ++i)
@@ -126,8 +127,7 @@ TEST(Lights, FarAwayAtAPointAreParallel) {
   const glm::vec3 way = glm::normalize(glm::vec3(0.5f, -0.8f, 0.3f)), pivot(0.02f, 0.01f, -0.03f);
   const glm::vec3 colour(0.9f, 0.7f, 0.5f);
   const Colours parallel = shade(strands, {Light::parallel(way, colour)});
-  const Colours far =
-      shade(strands, {Light::point(pivot - 1e4f * way, colour)}, {}, {}, {}, pivot);
+  const Colours far = shade(strands, {Light::point(pivot - 1e4f * way, colour)}, {}, {}, {}, pivot);
   const Colours near =
       shade(strands, {Light::point(pivot - 0.2f * way, colour)}, {}, {}, {}, pivot);
   int most = 0;
@@ -146,11 +146,11 @@ TEST(Lights, AtAPointFallOffWithTheSquareOfTheDistance) {
   look.ambient = look.specular = 0;
   const auto seenAt = [&](float distance, float colour) {
     StrandSet strand;
-    strand.append(std::vector<glm::vec3>{{distance, -1e-3f, 0}, {distance, 0, 0}, {distance, 1e-3f, 0}});
+    strand.append(
+        std::vector<glm::vec3>{{distance, -1e-3f, 0}, {distance, 0, 0}, {distance, 1e-3f, 0}});
     // The light is at the origin, the pivot a metre away.
-    return byte(shade(strand, {Light::point({0, 0, 0}, glm::vec3(colour))}, look, {}, {},
-                      {0, 0, 1})[1],
-                0);
+    return byte(
+        shade(strand, {Light::point({0, 0, 0}, glm::vec3(colour))}, look, {}, {}, {0, 0, 1})[1], 0);
   };
   for (float distance : {0.5f, 1.0f, 2.0f, 3.0f})
     EXPECT_NEAR(seenAt(distance, 0.2f), 255 * srgbFromLinear(0.2f / (distance * distance)), 1)
