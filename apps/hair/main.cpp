@@ -117,7 +117,8 @@ void addRender(CLI::App& app, Run& run) {
       "  hair render --light 0.9,-0.3,-0.3,1.3,0.7,0.3 --point -0.5,1.8,0.3,0.3,0.6,1.2 --out "
       "a.png\n"
       "In a picture head and body shadow the hair for every light; the first four lights shine\n"
-      "on head, body and floor, those at points within 75 degrees of the way to the head.");
+      "on head, body and floor, where one at a point casts shadows within 75 degrees of the way\n"
+      "to the head.");
   command->callback([options, &run] { run = [options] { runRender(*options); }; });
 }
 
