@@ -114,7 +114,12 @@ void addRender(CLI::App& app, Run& run) {
       "Examples:\n"
       "  hair render --style smooth --out smooth.png --side-by-side --width 1600 --height 800\n"
       "  hair render --hair sintel.tfx --head sintel.obj --light 0.5,-0.8,-0.35 --out sintel.png\n"
-      "  hair render --style curly --motion dance.bvh --frames 300 --out frame300.exr");
+      "  hair render --style curly --motion dance.bvh --frames 300 --out frame300.exr\n"
+      "  hair render --light 0.9,-0.3,-0.3,1.3,0.7,0.3 --point -0.5,1.8,0.3,0.3,0.6,1.2 --out "
+      "a.png\n"
+      "In a picture head and body shadow the hair for every light; the first four lights shine\n"
+      "on head, body and floor, where one at a point casts shadows within 75 degrees of the way\n"
+      "to the head.");
   command->callback([options, &run] { run = [options] { runRender(*options); }; });
 }
 
