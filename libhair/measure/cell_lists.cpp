@@ -9,7 +9,10 @@ namespace hair {
 
 namespace {
 
-constexpr double kMostCells = 1 << 25;  // 128 MB
+/// More than so many are mostly empty, and memory that is not in the cache.
+double mostCells(std::size_t segments) {
+  return std::min(32.0 * static_cast<double>(segments) + 65536.0, 0x1p25);
+}
 
 glm::ivec3 cellOf(const CellLists& grid, glm::dvec3 p) {
   const glm::dvec3 c = glm::floor((p - grid.lower) / grid.cell);
@@ -60,7 +63,7 @@ CellLists makeCellLists(std::span<const glm::vec3> points, std::span<const std::
   glm::dvec3 size;
   const auto measure = [&] {
     size = glm::floor((upper - lower) / grid.cell) + 1.0;
-    return size.x * size.y * size.z > kMostCells;
+    return size.x * size.y * size.z > mostCells(segments.size());
   };
   while (measure()) grid.cell *= 1.25;
   grid.size = glm::ivec3(size);

@@ -28,7 +28,9 @@ double standardErrorOfMean(const std::vector<double>& values, double noise) {
 }
 
 /// Where in n sorted values the 99th percentile lies, linear between two of them.
-double place99(std::size_t n) { return 0.99 * static_cast<double>(n - 1); }
+double place99(std::size_t n) {
+  return 0.99 * static_cast<double>(n - 1);
+}
 
 template <class Value>
 double percentile99(std::size_t n, Value&& sortedValue) {
@@ -47,7 +49,8 @@ double bootstrapError99(const std::vector<double>& sorted) {
   std::vector<double> figures(kSamples);
   for (std::uint32_t b = 0; b < kSamples; ++b) {
     for (std::size_t i = 0; i < n; ++i) {
-      const std::uint64_t word = hashWord(static_cast<std::uint32_t>(i) ^ hashWord(b ^ hashWord(kSeed)));
+      const std::uint64_t word =
+          hashWord(static_cast<std::uint32_t>(i) ^ hashWord(b ^ hashWord(kSeed)));
       drawn[i] = static_cast<std::uint32_t>(word * n >> 32);
     }
     const auto below = drawn.begin() + static_cast<std::ptrdiff_t>(place99(n));
@@ -70,8 +73,8 @@ double bootstrapError99(const std::vector<double>& sorted) {
 ErrorFigures errorFigures(std::span<const float> measured, const Truth& truth) {
   const std::size_t n = truth.transmittance.size();
   require(n > 0, "error figures: there is no point to measure at; choose at least one");
-  require(measured.size() == n && truth.standardError.size() == n, "error figures: ",
-          measured.size(), " measured transmittances, ", n, " true ones and ",
+  require(measured.size() == n && truth.standardError.size() == n,
+          "error figures: ", measured.size(), " measured transmittances, ", n, " true ones and ",
           truth.standardError.size(), " standard errors; they must be of the same points");
 
   std::vector<double> error(n), absolute(n), square(n);

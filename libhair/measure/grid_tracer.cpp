@@ -35,7 +35,7 @@ struct Scene {
   std::vector<std::uint32_t> segments;
   glm::dvec3 centre{0};  ///< float coordinates count from here
   double meanLength = 0;
-  double radius = 0;     ///< half the width, and slack
+  double radius = 0;  ///< half the width, and slack
   double slack = 0;
 };
 
@@ -70,8 +70,7 @@ class FlatGrid {
     const glm::vec2 p(at);
     const float behind = static_cast<float>(at.z - scene_.slack);
     std::uint32_t crossings = 0;
-    for (const std::uint32_t i :
-         grid_.list({static_cast<int>(c.x), static_cast<int>(c.y), 0})) {
+    for (const std::uint32_t i : grid_.list({static_cast<int>(c.x), static_cast<int>(c.y), 0})) {
       const glm::vec3 a = seen_[i], b = seen_[i + 1];
       if (std::max(a.z, b.z) < behind || !near(p, glm::vec2(a), glm::vec2(b), radiusSquare_))
         continue;
@@ -96,8 +95,7 @@ class DeepGrid {
   explicit DeepGrid(const Scene& scene)
       : scene_(scene), radiusSquare_(static_cast<float>(scene.radius * scene.radius)) {
     from_.reserve(scene.ribbons.points.size());
-    for (const glm::vec3 p : scene.ribbons.points)
-      from_.emplace_back(glm::dvec3(p) - scene.centre);
+    for (const glm::vec3 p : scene.ribbons.points) from_.emplace_back(glm::dvec3(p) - scene.centre);
     // Where segments are much longer than they are wide, thin cells hold few that are not crossed.
     const double cell = std::max(4 * scene.radius, 0.15 * scene.meanLength);
     grid_ = makeCellLists(from_, scene.segments, scene.radius, cell);
@@ -202,7 +200,8 @@ class GridTracer final : public FibreTracer {
     const auto& points = scene.ribbons.points;
     glm::dvec3 lower(INFINITY), upper(-INFINITY);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      lower = glm::min(lower, glm::dvec3(points[i])), upper = glm::max(upper, glm::dvec3(points[i]));
+      lower = glm::min(lower, glm::dvec3(points[i])),
+      upper = glm::max(upper, glm::dvec3(points[i]));
       if (!scene.ribbons.isSegment(i)) continue;
       scene.segments.push_back(static_cast<std::uint32_t>(i));
       scene.meanLength += glm::distance(glm::dvec3(points[i]), glm::dvec3(points[i + 1]));

@@ -85,7 +85,8 @@ inline bool crossingBegins(const RibbonPoints& ribbons, std::size_t i, const Ray
   const glm::dvec3 a = ray.see(points[i]);
   const Meeting here = meet(a, ray.see(points[i + 1]), first, last);
   if (!here.met || first) return here.met;
-  const Meeting before = meet(ray.see(points[i - 1]), a, i == 1 || strand[i - 2] != strand[i], false);
+  const Meeting before =
+      meet(ray.see(points[i - 1]), a, i == 1 || strand[i - 2] != strand[i], false);
   if (!before.met) return true;
   return glm::dot(before.way, here.way) < 0 && before.foot < 1 && here.foot > 0;
 }

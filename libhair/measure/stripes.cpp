@@ -28,8 +28,10 @@ double stripeEnergy(std::span<const float> residual, std::span<const float> dept
   projections *= perPoint;
   // 1/4 where phases are spread evenly, 0 where they all are one or two.
   const double spread = glm::determinant(products);
-  require(std::isfinite(spread) && spread > 1e-9, "stripes: depths all lie at one phase of the "
-          "period ", period, ", or are not finite");
+  require(std::isfinite(spread) && spread > 1e-9,
+          "stripes: depths all lie at one phase of the "
+          "period ",
+          period, ", or are not finite");
   const glm::dvec3 fit = glm::inverse(products) * projections;
   return 0.5 * (fit.y * fit.y + fit.z * fit.z);
 }

@@ -9,8 +9,8 @@ namespace hair {
 ///
 ///   residual(i) = m + a cos(2 pi depth(i) / period) + b sin(2 pi depth(i) / period) + rest(i)
 ///
-/// by least squares; returns the energy (a² + b²) / 2, the mean square of the stripes. Noise alone of
-/// variance v leaves about 2 v / n of it.
+/// by least squares; returns the energy (a² + b²) / 2, the mean square of the stripes. Noise alone
+/// of variance v leaves about 2 v / n of it.
 ///
 /// `residual`, `depth`: [n], n >= 3; depth and period in the same unit, of any origin. Throws Error
 /// for other sizes, a period that is not positive, and depths that cannot tell stripes from a

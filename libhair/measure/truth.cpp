@@ -21,8 +21,8 @@ std::uint32_t hashOf(std::uint32_t item, Use use, std::uint32_t seed) {
 }
 
 /// Ray i of n from the disc around a point: Vogel's spiral, which spreads points evenly over a disc
-/// (equal areas, golden angle), moved along its radii and turned by two random numbers, so that each
-/// ray alone is uniform in the disc and the mean over the rays has no bias.
+/// (equal areas, golden angle), moved along its radii and turned by two random numbers, so that
+/// each ray alone is uniform in the disc and the mean over the rays has no bias.
 glm::vec2 placeInDisc(std::uint32_t i, std::uint32_t n, double shift, double turn) {
   constexpr double kGoldenTurn = 0.38196601125010515, kTwoPi = 6.283185307179586;
   const double radius = std::sqrt((i + shift) / n);
@@ -113,19 +113,21 @@ Truth exactTransmittance(const FibreTracer& tracer, const Fibre& fibre, const Li
         const double turn = static_cast<double>(uniform(at.point, kAngle, settings.seed));
         for (std::uint32_t i = 0; i < n; ++i) {
           const glm::vec2 d = settings.footprint * placeInDisc(i, n, shift, turn);
-          rays[k * n + i] =
-              rayToLight(light, at.position + d.x * across + d.y * up, at.strand);
+          rays[k * n + i] = rayToLight(light, at.position + d.x * across + d.y * up, at.strand);
         }
       }
     });
     tracer.countCrossings(std::span(rays).first(count * n), std::span(crossings).first(count * n));
     parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
+        // Counted from the first ray, so that equal rays scatter by zero and not by rounding.
+        const std::uint32_t* const crossed = &crossings[k * n];
+        const double start = leftBehind(crossed[0]);
         double sum = 0, squares = 0;
-        for (std::uint32_t i = 0; i < n; ++i) sum += leftBehind(crossings[k * n + i]);
-        const double mean = sum / n;
+        for (std::uint32_t i = 0; i < n; ++i) sum += leftBehind(crossed[i]) - start;
+        const double mean = start + sum / n;
         for (std::uint32_t i = 0; i < n; ++i) {
-          const double off = leftBehind(crossings[k * n + i]) - mean;
+          const double off = leftBehind(crossed[i]) - mean;
           squares += off * off;
         }
         truth.transmittance[first + k] = static_cast<float>(mean);

@@ -1,21 +1,33 @@
 #include <libhair/shadow/automatic.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <libhair/core/error.h>
 
 namespace hair {
 
+namespace {
+constexpr int kMostCells = 1024;
+}
+
 DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& light,
                                         float footprint) {
-  require(footprint > 0, "shadow footprint: ", footprint, " m is not positive; set --footprint");
+  require(footprint > 0 && std::isfinite(footprint), "shadow footprint: ", footprint,
+          " m is not positive; set --footprint");
   const CellFrame frame = makeCellFrame(light, glm::vec3(0), 1.0f, 2);
   Bounds box;
   for (const glm::vec3 p : strands.points) box.extend(frame.cellCoordinates(p));
   const glm::vec3 size = box.size();
-  DensityMapSettings settings = settingsForFootprint(
-      footprint, strands.pointCount() > 0 ? std::max({size.x, size.y, size.z, 1e-3f}) : 1, 512);
-  settings.deposit = Deposit::Trilinear;
+  const float extent = std::max({size.x, size.y, size.z, footprint});
+  DensityMapSettings settings;
+  settings.filter = Filter::Footprint;
+  settings.footprint = footprint;
+  // The filter reads beyond the hair's bounds, and must not meet their other side there.
+  constexpr float kMargin = 6;
+  settings.cellSize = std::max(0.5f * footprint, extent / (kMostCells - kMargin));
+  settings.cells =
+      std::clamp(static_cast<int>(std::ceil(extent / settings.cellSize + kMargin)), 16, kMostCells);
   return settings;
 }
 

@@ -25,6 +25,9 @@ void validate(const DensityMapSettings& s) {
   require(s.cells >= 2 && s.cells <= 1024, "--cells: ", s.cells, " is not in 2 to 1024");
   require(s.cellSize > 0 && std::isfinite(s.cellSize), "density map: cell size ", s.cellSize,
           " m is not positive");
+  require(s.filter != Filter::Footprint || (s.footprint >= 0 && s.footprint <= 10 * s.cellSize),
+          "density map: footprint ", s.footprint, " m is not in 0 to 10 cells of ", s.cellSize,
+          " m; take larger cells");
   require(s.pointExtinction >= 0 && std::isfinite(s.pointExtinction),
           "density map: point extinction ", s.pointExtinction, " is negative or not finite");
 }
@@ -67,6 +70,15 @@ bool DensityMap::aliased() const {
   return false;
 }
 
+std::size_t DensityMap::bytes() const {
+  if (!counts.data()) return 0;
+  const auto n = static_cast<std::size_t>(settings.cells);
+  std::size_t rows = 1;
+  for (std::size_t row = 0; row < n * n; ++row) rows += touched.data()[row];
+  return rows * n * (sizeof(std::uint32_t) + sizeof(float)) + n * n +
+         rowOf.size() * sizeof(std::uint32_t);
+}
+
 float DensityMap::density(glm::ivec3 cell) const {
   if (glm::any(glm::lessThan(cell, lower)) || glm::any(glm::greaterThan(cell, upper))) return 0;
   const float volume = settings.cellSize * settings.cellSize * settings.cellSize;
@@ -95,6 +107,7 @@ void clear(DensityMap& map, const DensityMapSettings& settings, const LightSpace
   map.light = light;
   map.frame = makeCellFrame(light, glm::vec3(0), settings.cellSize, settings.cells);
   map.quantum = 0;
+  map.fibreShadow = 0;
   map.lower = glm::ivec3(INT_MAX);
   map.upper = glm::ivec3(INT_MIN);
 }

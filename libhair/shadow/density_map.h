@@ -26,6 +26,10 @@ enum class Filter {
   None,     ///< the point's own cell
   Paper,    ///< section 3.3: weights lambda towards the cells i-1, j-1, k-1
   Centred,  ///< the same along the light; across it linear between cell centres
+  /// The mean over a disc across the light, of radius DensityMapSettings::footprint: as much light
+  /// as meets what is drawn that large. The accurate one, with cells half as large as the
+  /// footprint.
+  Footprint,
 };
 
 /// What the map sums up.
@@ -39,6 +43,8 @@ struct DensityMapSettings {
   float cellSize = 7.5e-3f;  ///< metres (the paper's ds), > 0; as large as the shadow's footprint
   Deposit deposit = Deposit::Segments;
   Filter filter = Filter::Centred;
+  /// Metres, Filter::Footprint only: 0 to 10 cells; below one cell it is as Centred.
+  float footprint = 0;
   Quantity quantity = Quantity::OpticalDepth;
   /// Extinction of one point (the paper's f), 1/metre, Deposit::Points only. 0: chosen so that
   /// points at the strands' mean spacing and all directions alike darken as segments would.
@@ -53,9 +59,10 @@ inline float mapExtentNeeded(float longestStrand, float headSize) {
   return 2.0f * longestStrand + headSize;
 }
 
-/// Cells as large as the footprint (metres) over which shadows should be averaged, and as many as
-/// the extent needs; where that is more than `mostCells`, larger cells. Finer cells than the
-/// footprint are no better: they add noise that an average over the footprint does not have.
+/// Fast settings: cells as large as the footprint (metres) over which shadows should be averaged,
+/// and as many as the extent needs; where that is more than `mostCells`, larger cells. Finer cells
+/// are no better with the centred filter: they add noise that an average over the footprint does
+/// not have. Accurate settings: automaticMapSettings.
 DensityMapSettings settingsForFootprint(float footprint, float extentNeeded, int mostCells = 256);
 
 /// A zeroed array whose untouched pages cost neither time nor memory.
@@ -99,7 +106,8 @@ struct DensityMap {
   DensityMapSettings settings;
   LightSpace light;
   CellFrame frame;
-  float quantum = 0;  ///< what one count means: optical depth or metres, 0 before any deposit
+  float quantum = 0;      ///< what one count means: optical depth or metres, 0 before any deposit
+  float fibreShadow = 0;  ///< width · extinctionOf of one fibre deposited, metres (the largest)
 
   // Unwrapped cells that hold hair; lower > upper while there is none.
   glm::ivec3 lower{INT_MAX}, upper{INT_MIN};
@@ -117,6 +125,8 @@ struct DensityMap {
   /// The hair is larger than the map: its ends share cells, shadows are wrong there. Take more or
   /// larger cells (mapExtentNeeded).
   bool aliased() const;
+  /// Memory in use: rows that hold something (others were never touched), and the tables.
+  std::size_t bytes() const;
 
   int wrap(int i) const {
     const int n = settings.cells;

@@ -13,10 +13,11 @@ namespace hair {
 ///
 /// A segment of length l at angle theta to the light, of width w and opacity alpha, adds
 ///
-///   l · sin(theta) · w · alpha / ds²        w = fibre.width · fibre.hairsPerStrand
+///   l · sin(theta) · w · hairsPerStrand · extinctionOf(fibre, ds) / ds²
 ///
 /// to the optical depth of its column (Segments, Trilinear), or l · hairsPerStrand metres
-/// (Quantity::Length). Deposit::Points adds one count per point instead, each worth f · ds.
+/// (Quantity::Length, parallel light only). Deposit::Points adds one count per point instead, each
+/// worth f · ds.
 /// Only every strandStride-th strand is read, and counts for that many.
 ///
 /// Adds nothing silently wrong: map.saturatedCells counts the cells whose sum did not fit, and

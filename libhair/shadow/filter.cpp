@@ -1,10 +1,14 @@
 #include <libhair/shadow/filter.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
 #include <libhair/core/error.h>
+#include <libhair/core/lanes.h>
 #include <libhair/core/parallel.h>
 #include <libhair/shadow/cell_batch.h>
+#include <libhair/shadow/footprint.h>
 
 namespace hair {
 
@@ -22,7 +26,8 @@ class Sampler {
         n_(map.settings.cells),
         first_(map.lower.x),
         depth_(map.depth()),
-        aliased_(map.aliased()) {}
+        aliased_(map.aliased()),
+        kernel_(map.settings) {}
 
   /// The values of the points' own cells; at most a batch of points.
   void own(std::span<const glm::vec3> points, std::span<float> out) const {
@@ -56,7 +61,72 @@ class Sampler {
     }
   }
 
+  /// As `linear` along the light; across it the mean over FootprintKernel.
+  void footprint(std::span<const glm::vec3> points, std::span<float> out) const {
+    CellBatch c;
+    c.fill(map_.frame, points, {0, 0.5f, 0.5f});
+    const float h = kernel_.halfWidth;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const int j0 = floorToInt(c.y[p] - h), j1 = floorToInt(c.y[p] + h) + 1;
+      const int k0 = floorToInt(c.z[p] - h), k1 = floorToInt(c.z[p] + h) + 1;
+      const int back = beside(j0, j1, k0, k1) ? 0 : slice(c.i[p]);
+      if (back == 0) {
+        out[p] = 1;
+        continue;
+      }
+      const int front = slice(c.i[p] - 1);
+      const RowWeights weights(j0, j1, c.y[p], kernel_, map_);
+      float atFront = 0, atBack = 0;
+      for (int k = k0; k <= k1; ++k) {
+        const float w = kernel_.weight(c.z[p] - static_cast<float>(k));
+        const int wrapped = map_.wrap(map_.frame.base.z + k);
+        atFront += w * weights.darkness(rowAt(front, wrapped));
+        atBack += w * weights.darkness(rowAt(back, wrapped));
+      }
+      const float dark = between(atFront, atBack, c.x[p] - static_cast<float>(c.i[p]));
+      out[p] = std::min(std::max(1 - dark, 0.0f), 1.0f);
+    }
+  }
+
  private:
+  /// The weights of the kernel along a row, and where they begin. Sums what is missing to full
+  /// light, so that light itself comes out as exactly 1 however the weights round.
+  class RowWeights {
+   public:
+    RowWeights(int first, int last, float y, const FootprintKernel& kernel, const DensityMap& map)
+        : map_(map), first_(map.frame.base.y + first), begin_(map.wrap(first_)) {
+      count_ = last - first + 1;
+      chunks_ = (static_cast<std::size_t>(count_) + kLanes - 1) / kLanes;
+      wraps_ = begin_ + static_cast<int>(chunks_ * kLanes) > map.settings.cells;
+      for (std::size_t m = 0; m < chunks_; ++m)
+        for (std::size_t l = 0; l < kLanes; ++l)
+          weights_[m][l] =
+              kernel.weight(y - static_cast<float>(first + static_cast<int>(m * kLanes + l)));
+    }
+    float darkness(const float* row) const {
+      Lanes sum{};
+      for (std::size_t m = 0; m < chunks_; ++m) {
+        Lanes t;
+        if (!wraps_) {
+          std::memcpy(&t, row + begin_ + m * kLanes, sizeof t);
+        } else {
+          for (std::size_t l = 0; l < kLanes; ++l)
+            t[l] = row[map_.wrap(first_ + static_cast<int>(m * kLanes + l))];
+        }
+        sum += weights_[m] * (1.0f - t);
+      }
+      return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+    }
+
+   private:
+    static constexpr std::size_t kMostChunks = 3;  // 2 h + 2 <= 2 · 8.7 + 2 cells
+    const DensityMap& map_;
+    int first_, begin_, count_;
+    std::size_t chunks_;
+    bool wraps_;
+    Lanes weights_[kMostChunks];
+  };
+
   /// None of these cells holds hair, nor does any cell in front of them.
   bool beside(int j0, int j1, int k0, int k1) const {
     return (j1 < map_.lower.y) | (j0 > map_.upper.y) | (k1 < map_.lower.z) | (k0 > map_.upper.z);
@@ -85,6 +155,7 @@ class Sampler {
   const DensityMap& map_;
   int n_, first_, depth_;
   bool aliased_;
+  FootprintKernel kernel_;
 };
 
 }  // namespace
@@ -117,9 +188,20 @@ void sampleTransmittance(const DensityMap& map, std::span<const glm::vec3> point
           // sideways by half a cell; across the light a cell's value belongs to its middle.
           sampler.linear(from, {0, 0.5f, 0.5f}, to);
           break;
+        case Filter::Footprint:
+          sampler.footprint(from, to);
+          break;
       }
     }
   });
+}
+
+void sampleStrandTransmittance(const DensityMap& map, StrandView strands, std::span<float> out) {
+  sampleTransmittance(map, strands.points, out);
+  const float own =
+      0.5f * map.fibreShadow / map.settings.cellSize * FootprintKernel(map.settings).onALine();
+  const float without = std::exp(own);
+  for (float& t : out) t = std::min(t * without, 1.0f);
 }
 
 }  // namespace hair

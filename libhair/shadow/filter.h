@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/strands.h>
 #include <libhair/shadow/density_map.h>
 
 namespace hair {
@@ -14,5 +15,12 @@ namespace hair {
 /// `out`: [points.size()], in [0, 1].
 void sampleTransmittance(const DensityMap& map, std::span<const glm::vec3> points,
                          std::span<float> out);
+
+/// Transmittance at the points of the strands that were deposited, without the shadow that a strand
+/// throws on itself: half of it is towards the light of each of its points, wherever it leads, and
+/// takes an optical depth of width · extinction · (mean width of the filter's kernel)^-1 / 2. Not
+/// for curls narrower than the filter, which cross their own light more often. `out`: [pointCount],
+/// in [0, 1].
+void sampleStrandTransmittance(const DensityMap& map, StrandView strands, std::span<float> out);
 
 }  // namespace hair

@@ -57,7 +57,8 @@ TEST(SamplePoints, FollowTheSeed) {
   EXPECT_NE(which(1), which(2));
 }
 
-// 4,000 of 40,000 points, seven places behind the root on every strand: all equally likely.
+// One point of each of 3,500 strands, seven places behind the root on every strand: all equally
+// likely.
 TEST(SamplePoints, ArePlacedEvenlyAlongStrands) {
   const StrandSet strands = test::randomStrands(5000, 8, 0.01f, 0.3f, 0.05f);
   double ofPlace[8] = {};

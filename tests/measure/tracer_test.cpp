@@ -129,9 +129,11 @@ TEST(GridTracer, ABentStrandIsCrossedExactlyOnceEverywhereAlongIt) {
             // Both ends are cut: stay inside of them.
             if ((k == 0 && along == 0) || (k + 2 == points.size() && along == 40)) continue;
             const float t = static_cast<float>(along) / 40;
-            rays.push_back({glm::mix(points[k], points[k + 1], t) + off * kWidth * side -
-                                glm::vec3(0, 1, 0),
-                            {0, 1, 0}, INFINITY, kNoStrand});
+            rays.push_back(
+                {glm::mix(points[k], points[k + 1], t) + off * kWidth * side - glm::vec3(0, 1, 0),
+                 {0, 1, 0},
+                 INFINITY,
+                 kNoStrand});
           }
       }
       const std::vector<std::uint32_t> counts = crossings(*tracer, rays);
@@ -173,7 +175,7 @@ TEST(GridTracer, CrossesWhatBruteForceCrosses) {
   };
   const Case cases[] = {{"waving", 300, 12, 0.02f, 0.3f, 0.05f, {0, 0, 0}},
                         {"crumpled", 200, 30, 0.004f, 3.0f, 0.02f, {0, 0, 0}},
-                        {"long and few", 60, 3, 1.0f, 0.2f, 0.3f, {0, 0, 0}},
+                        {"long and few", 100, 3, 1.0f, 0.2f, 0.3f, {0, 0, 0}},
                         {"far from the origin", 100, 12, 0.02f, 0.5f, 0.05f, {900, -400, 300}}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
@@ -194,7 +196,7 @@ TEST(GridTracer, CrossesWhatBruteForceCrosses) {
     };
     // Rays of any direction, and some along the axes, from inside and from outside.
     std::vector<ShadowRay> rays;
-    for (std::uint32_t r = 0; r < 3000; ++r) {
+    for (std::uint32_t r = 0; r < 1200; ++r) {
       glm::vec3 way = randomDirection(r, 1);
       if (r % 16 == 0) way = {r % 32 ? 1 : -1, 0, 0};
       if (r % 16 == 1) way = {0, r % 32 > 1 ? 1 : -1, 0};
@@ -219,7 +221,7 @@ TEST(GridTracer, CrossesWhatBruteForceCrosses) {
       rays[r].origin = points[k] + 0.3f * kWidth * randomDirection(r, 60);
     }
     check(rays);
-    EXPECT_GT(total, 2000u);
+    EXPECT_GT(total, 500u);
   }
 }
 
@@ -240,8 +242,8 @@ TEST(GridTracer, ThreadsDoNotChangeWhatIsCrossed) {
   for (bool parallel : {false, true}) {
     std::vector<ShadowRay> rays;
     for (std::uint32_t r = 0; r < 5000; ++r)
-      rays.push_back({randomPoint(0.05f, r, 2), randomDirection(parallel ? 0 : r, 1), INFINITY,
-                      kNoStrand});
+      rays.push_back(
+          {randomPoint(0.05f, r, 2), randomDirection(parallel ? 0 : r, 1), INFINITY, kNoStrand});
     std::vector<std::vector<std::uint32_t>> results;
     for (int threads : {1, 2, 5}) {
       const ThreadLimit limit(threads);

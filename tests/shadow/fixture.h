@@ -73,7 +73,8 @@ inline double total(const DensityMap& map) {
 }
 
 inline constexpr Deposit kDeposits[] = {Deposit::Points, Deposit::Segments, Deposit::Trilinear};
-inline constexpr Filter kFilters[] = {Filter::None, Filter::Paper, Filter::Centred};
+inline constexpr Filter kFilters[] = {Filter::None, Filter::Paper, Filter::Centred,
+                                      Filter::Footprint};
 
 /// Light along +x with y, z as they are: cells are easy to name.
 inline LightSpace alongX(glm::dvec3 origin = glm::dvec3(0)) {

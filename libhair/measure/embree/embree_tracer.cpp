@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include <embree3/rtcore.h>
@@ -23,37 +24,38 @@ using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Deleter>;
 
 class EmbreeTracer final : public FibreTracer {
  public:
-  EmbreeTracer(StrandView strands, const Fibre& fibre) : ribbons_(makeRibbonPoints(strands, fibre)) {
-    std::vector<std::uint8_t> flags;
+  EmbreeTracer(StrandView strands, const Fibre& fibre)
+      : ribbons_(makeRibbonPoints(strands, fibre)) {
     for (std::size_t i = 0; i < ribbons_.points.size(); ++i) {
-      if (!ribbons_.isSegment(i)) continue;
-      const bool left = i > 0 && ribbons_.isSegment(i - 1), right = ribbons_.isSegment(i + 1);
-      segments_.push_back(static_cast<std::uint32_t>(i));
-      flags.push_back(static_cast<std::uint8_t>((left ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
-                                                (right ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0)));
+      if (ribbons_.isSegment(i)) segments_.push_back(static_cast<std::uint32_t>(i));
     }
     device_.reset(rtcNewDevice(nullptr));
     require(device_ != nullptr, "Embree: no device");
     scene_.reset(rtcNewScene(device_.get()));
-    rtcSetSceneFlags(scene_.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
-                                                              RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneFlags(
+        scene_.get(),
+        static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
     if (!segments_.empty()) {
       RTCGeometry curves = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
-      auto* vertices = static_cast<glm::vec4*>(rtcSetNewGeometryBuffer(
-          curves, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(glm::vec4),
-          ribbons_.points.size()));
+      auto* vertices = static_cast<glm::vec4*>(
+          rtcSetNewGeometryBuffer(curves, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                  sizeof(glm::vec4), ribbons_.points.size()));
       auto* indices = static_cast<std::uint32_t*>(
           rtcSetNewGeometryBuffer(curves, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
                                   sizeof(std::uint32_t), segments_.size()));
-      auto* neighbours = static_cast<std::uint8_t*>(rtcSetNewGeometryBuffer(
-          curves, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, flags.size()));
-      require(vertices && indices && neighbours, "Embree: no memory for ", segments_.size(),
+      // No neighbours: each segment is a tube of its own, with round ends. (With neighbours Embree
+      // leaves out what of a joint is inside of the other tube, but now and then neither or both.)
+      auto* flags = static_cast<std::uint8_t*>(rtcSetNewGeometryBuffer(
+          curves, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, segments_.size()));
+      require(vertices && indices && flags, "Embree: no memory for ", segments_.size(),
               " segments");
-      const float radius = static_cast<float>(ribbons_.halfWidth);
+      // Somewhat thicker than the fibres are, for Embree's rounding: what is crossed is decided by
+      // the law of ribbons.
+      const float radius = 1.01f * static_cast<float>(ribbons_.halfWidth);
       for (std::size_t i = 0; i < ribbons_.points.size(); ++i)
         vertices[i] = glm::vec4(ribbons_.points[i], radius);
       std::copy(segments_.begin(), segments_.end(), indices);
-      std::copy(flags.begin(), flags.end(), neighbours);
+      std::fill_n(flags, segments_.size(), std::uint8_t{0});
       rtcCommitGeometry(curves);
       rtcAttachGeometry(scene_.get(), curves);
       rtcReleaseGeometry(curves);
@@ -79,37 +81,23 @@ class EmbreeTracer final : public FibreTracer {
     std::uint32_t crossings;
   };
 
-  /// All that lies along the ray: each entry is counted, and none is taken, so that the ray goes on.
+  /// All that lies along the ray: nothing is taken for a hit, so that the ray goes on. A tube is
+  /// left once, and ahead of the origin if what the ray crosses of it is: of its two hits this is
+  /// the one to count.
   static void filter(const RTCFilterFunctionNArguments* arguments) {
     arguments->valid[0] = 0;
     const auto& ray = *reinterpret_cast<const RTCRay*>(arguments->ray);
     const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
     auto& context = *static_cast<Context*>(arguments->context);
-    if (hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z >= 0) return;
+    if (hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z <= 0) return;
     const RibbonPoints& ribbons = context.tracer->ribbons_;
     const std::size_t i = context.tracer->segments_[hit.primID];
-    if (ribbons.strand[i] != context.strand && isCrossing(ribbons, i, *context.frame))
+    if (ribbons.strand[i] != context.strand && crossingBegins(ribbons, i, *context.frame))
       ++context.crossings;
-  }
-
-  /// Of a ray that enters the tube of segment i: whether that is in front of the origin, before the
-  /// light, and not at the round cap that the tube has at the strand's end.
-  static bool isCrossing(const RibbonPoints& ribbons, std::size_t i, const RayFrame& frame) {
-    const glm::dvec3 a = frame.see(ribbons.points[i]), way = frame.see(ribbons.points[i + 1]) - a;
-    const double square = way.x * way.x + way.y * way.y;
-    const double foot = square > 0 ? -(a.x * way.x + a.y * way.y) / square : 0.5;
-    const double depth = a.z + std::clamp(foot, 0.0, 1.0) * way.z;
-    return depth > 0 && depth < frame.length &&
-           (foot >= 0 || (i > 0 && ribbons.isSegment(i - 1))) &&
-           (foot <= 1 || ribbons.isSegment(i + 1));
   }
 
   std::uint32_t count(const ShadowRay& ray) const {
     const RayFrame frame(ray);
-    // A ray that begins inside of a tube enters it behind its origin: it starts early enough for
-    // all tubes but those that run within a degree along it.
-    const double early = 64 * ribbons_.halfWidth;
-    const glm::dvec3 origin = frame.origin - early * frame.along;
     Context context;
     rtcInitIntersectContext(&context);
     context.filter = filter;
@@ -118,18 +106,10 @@ class EmbreeTracer final : public FibreTracer {
     context.strand = ray.strand;
     context.crossings = 0;
     RTCRayHit hit{};
-    hit.ray = {static_cast<float>(origin.x),
-               static_cast<float>(origin.y),
-               static_cast<float>(origin.z),
-               0.0f,
-               static_cast<float>(frame.along.x),
-               static_cast<float>(frame.along.y),
-               static_cast<float>(frame.along.z),
-               0.0f,
-               static_cast<float>(frame.length + early),
-               0xffffffffu,
-               0,
-               0};
+    hit.ray.org_x = ray.origin.x, hit.ray.org_y = ray.origin.y, hit.ray.org_z = ray.origin.z;
+    hit.ray.dir_x = ray.toLight.x, hit.ray.dir_y = ray.toLight.y, hit.ray.dir_z = ray.toLight.z;
+    hit.ray.tfar = INFINITY;  // a tube before the light may be left behind it
+    hit.ray.mask = 0xffffffffu;
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_.get(), &context, &hit);
     return context.crossings;

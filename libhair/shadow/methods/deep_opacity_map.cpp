@@ -126,11 +126,10 @@ class DeepOpacityMap final : public ShadowMethod {
     parallelFor(image_.pixelCount(), 1 << 14, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) words_.pixel(p)[0] = kNone;
     });
-    forAllFragments(strands, fibre, settings_.extinction, image_,
-                    [&]<bool kShared>(const Fragment& f) {
-                      LayerSums::keepLeast<kShared>(words_.pixel(f.pixel)[0],
-                                                    behindNearest(f.depth));
-                    });
+    forAllFragments(
+        strands, fibre, settings_.extinction, image_, [&]<bool kShared>(const Fragment& f) {
+          LayerSums::keepLeast<kShared>(words_.pixel(f.pixel)[0], behindNearest(f.depth));
+        });
   }
 
   /// Depths as 8 or 16 bits would keep them, towards the light, so that no hair is in front of its
@@ -170,8 +169,8 @@ class DeepOpacityMap final : public ShadowMethod {
 
 std::unique_ptr<ShadowMethod> makeDeepOpacityMap(const DeepOpacityMapSettings& settings) {
   requirePixelSize(settings.pixelSize, "deep opacity map");
-  require(settings.layers >= 1 && settings.layers <= kMostLayers, "deep opacity map: ",
-          settings.layers, " layers are not in 1 to ", kMostLayers);
+  require(settings.layers >= 1 && settings.layers <= kMostLayers,
+          "deep opacity map: ", settings.layers, " layers are not in 1 to ", kMostLayers);
   require(settings.depth > 0 && std::isfinite(settings.depth), "deep opacity map: depth ",
           settings.depth, " m of all layers is not positive");
   require(settings.depthBits == 8 || settings.depthBits == 16 || settings.depthBits == 32,

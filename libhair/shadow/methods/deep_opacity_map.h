@@ -21,9 +21,9 @@ struct DeepOpacityMapSettings {
   };
   /// What becomes of hair beyond the last layer (section 3, "points beyond the end").
   enum class Beyond {
-    Ignored,      ///< casts no shadow
-    InLastLayer,  ///< counts for the last layer, and shadows itself
-    LargerLayers, ///< does not exist: layers are scaled so that the last one ends behind all hair
+    Ignored,       ///< casts no shadow
+    InLastLayer,   ///< counts for the last layer, and shadows itself
+    LargerLayers,  ///< does not exist: layers are scaled so that the last one ends behind all hair
   };
   float pixelSize = 3e-3f;  ///< metres, > 0
   int layers = 7;           ///< K, 1 to 255

@@ -1,7 +1,5 @@
 #include <libhair/shadow/methods/density_map_method.h>
 
-#include <algorithm>
-
 #include <libhair/core/error.h>
 #include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
@@ -30,13 +28,15 @@ class DensityMapMethod final : public ShadowMethod {
     sampleTransmittance(map_, points, out);
   }
 
-  /// All its arrays, whether their pages were ever written or not.
-  std::size_t bytes() const override {
-    const auto n = static_cast<std::size_t>(settings_.cells);
-    return n * n * n * sizeof(std::uint32_t) + n * n * sizeof(std::uint8_t) +
-           (n * n * n + 31) / 32 * sizeof(std::uint32_t) + (n * n * n + n) * sizeof(float) +
-           map_.rowOf.size() * sizeof(std::uint32_t);
+  /// The paper's own filters are measured as the paper has them.
+  void sampleStrands(StrandView strands, std::span<float> out) const override {
+    if (settings_.filter == Filter::None || settings_.filter == Filter::Paper)
+      sampleTransmittance(map_, strands.points, out);
+    else
+      sampleStrandTransmittance(map_, strands, out);
   }
+
+  std::size_t bytes() const override { return map_.bytes(); }
 
  private:
   DensityMapSettings settings_;

@@ -7,29 +7,23 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/strands.h>
-#include <libhair/model/groom.h>
 #include <libhair/shadow/cell_batch.h>
 #include <libhair/shadow/cell_walk.h>
+#include <libhair/shadow/extinction.h>
 #include <libhair/shadow/light_space.h>
 
 namespace hair {
-
-/// What a fibre takes away of the light that meets it.
-enum class Extinction {
-  Unbiased,   ///< its opacity: right on average for fibres thinner than a pixel (deposit.cpp)
-  Published,  ///< -ln(1 - opacity), as in the papers: too dark, since fibres do not fill pixels
-};
 
 /// The picture that a camera at the light takes of the hair: what all the methods that look from
 /// the light share. Pixels are the cells of a CellFrame seen along the light; depths run along the
 /// light in units of a pixel.
 struct LightImage {
   CellFrame frame;
-  glm::ivec2 lower{0};    ///< unwrapped cell (y, z) of pixel (0, 0)
-  glm::ivec2 size{0};     ///< pixels; the hair's bounds and a margin of one pixel
-  float nearest = 0;      ///< depth of the first hair
-  float farthest = 0;     ///< and of the last
-  float pixelSize = 0;    ///< metres (at the pivot of a light at a point)
+  glm::ivec2 lower{0};  ///< unwrapped cell (y, z) of pixel (0, 0)
+  glm::ivec2 size{0};   ///< pixels; the hair's bounds and a margin of one pixel
+  float nearest = 0;    ///< depth of the first hair
+  float farthest = 0;   ///< and of the last
+  float pixelSize = 0;  ///< metres (at the pivot of a light at a point)
 
   std::size_t pixelCount() const {
     return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
@@ -63,15 +57,13 @@ struct Fragment {
   float opticalDepth;  ///< mean over the pixel: l sin(theta) w alpha / pixel area
 };
 
-/// Calls visit(Fragment) for all that the pixels see of one strand, root to tip. Points are projected
-/// once, sixty-four at a time.
+/// Calls visit(Fragment) for all that the pixels see of one strand, root to tip. Points are
+/// projected once, sixty-four at a time.
 template <class Visit>
 void forFragments(std::span<const glm::vec3> points, const Fibre& fibre, Extinction extinction,
                   const LightImage& image, Visit&& visit) {
-  const float alpha = extinction == Extinction::Unbiased
-                          ? fibre.opacity
-                          : -std::log(std::max(1.0f - fibre.opacity, 1e-4f));
-  const float perPixel = fibre.width * fibre.hairsPerStrand * alpha / image.pixelSize;
+  const float perPixel = fibre.width * fibre.hairsPerStrand *
+                         extinctionOf(fibre, image.pixelSize, extinction) / image.pixelSize;
   glm::vec3 a(0);
   glm::ivec2 cell(0);
   const auto segmentTo = [&](glm::vec3 b, glm::ivec2 last) {

@@ -10,8 +10,8 @@ namespace hair {
 class ShadowMethod;
 
 /// Opacity shadow maps (Kim and Neumann 2001): planes at even distances across the light slice the
-/// hair; each pixel of each slice sums the opacity of what lies in it; between two planes the sum is
-/// interpolated linearly.
+/// hair; each pixel of each slice sums the opacity of what lies in it; between two planes the sum
+/// is interpolated linearly.
 struct OpacityMapSettings {
   float pixelSize = 3e-3f;  ///< metres, > 0
   int slices = 16;          ///< 1 to 1024

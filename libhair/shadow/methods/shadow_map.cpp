@@ -57,7 +57,8 @@ class ShadowMap final : public ShadowMethod {
     if (depth <= 0) return 1;
     const glm::ivec2 upper = image_.lower + image_.size;
     // Beside the image, discs included.
-    const glm::vec2 lowest = glm::vec2(image_.lower) - radius_, highest = glm::vec2(upper) + radius_;
+    const glm::vec2 lowest = glm::vec2(image_.lower) - radius_,
+                    highest = glm::vec2(upper) + radius_;
     if (!(u.y > lowest.x && u.z > lowest.y && u.y < highest.x && u.z < highest.y)) return 1;
     int pixels = 0, dark = 0;
     for (int k = firstMiddle(u.z - radius_); k <= lastMiddle(u.z + radius_); ++k) {

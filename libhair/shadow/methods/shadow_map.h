@@ -15,7 +15,7 @@ class ShadowMethod;
 struct ShadowMapSettings {
   float pixelSize = 1e-3f;     ///< metres, > 0
   float filterRadius = 3e-3f;  ///< metres, >= 0: of the disc of pixels compared
-  float bias = 1e-3f;          ///< metres, >= 0, that a point is taken nearer to the light than it is
+  float bias = 1e-3f;  ///< metres, >= 0, that a point is taken nearer to the light than it is
 };
 
 /// Throws Error for settings out of range.

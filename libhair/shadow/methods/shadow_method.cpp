@@ -45,6 +45,8 @@ const char* name(Filter filter) {
       return " paper filter";
     case Filter::Centred:
       return "";
+    case Filter::Footprint:
+      return " footprint";
   }
   return "";
 }
@@ -104,36 +106,35 @@ std::string methodName(const ShadowSettings& settings) {
 
 std::string settingsText(const ShadowSettings& settings) {
   return std::visit(
-      Overloaded{
-          [](const DensityMapSettings& s) {
-            return text(millimetres(s.cellSize), count(s.cells, "cell"), name(s.deposit),
-                        name(s.filter));
-          },
-          [](const ShadowMapSettings& s) {
-            return text(millimetres(s.pixelSize), " radius ", millimetres(s.filterRadius),
-                        " bias ", millimetres(s.bias));
-          },
-          [](const OpacityMapSettings& s) {
-            return text(millimetres(s.pixelSize), count(s.slices, "slice"),
-                        common(s.extinction, s.filter));
-          },
-          [](const DeepOpacityMapSettings& s) {
-            return text(millimetres(s.pixelSize), count(s.layers, "layer"), name(s.growth),
-                        reach(s), s.depthBits == 32 ? "" : text(' ', s.depthBits, " bits"),
-                        common(s.extinction, s.filter));
-          },
-          [](const DensityClusteringSettings& s) {
-            return text(millimetres(s.pixelSize), count(s.clusters, "cluster"),
-                        count(s.iterations, "iteration"),
-                        s.start == DensityClusteringSettings::Start::TowardsLight
-                            ? " towards the light"
-                            : "",
-                        common(s.extinction, s.filter));
-          },
-          [](const DeepShadowMapSettings& s) {
-            return text(millimetres(s.pixelSize), " tolerance ", s.tolerance,
-                        common(s.extinction, s.filter));
-          }},
+      Overloaded{[](const DensityMapSettings& s) {
+                   return text(millimetres(s.cellSize), count(s.cells, "cell"), name(s.deposit),
+                               name(s.filter));
+                 },
+                 [](const ShadowMapSettings& s) {
+                   return text(millimetres(s.pixelSize), " radius ", millimetres(s.filterRadius),
+                               " bias ", millimetres(s.bias));
+                 },
+                 [](const OpacityMapSettings& s) {
+                   return text(millimetres(s.pixelSize), count(s.slices, "slice"),
+                               common(s.extinction, s.filter));
+                 },
+                 [](const DeepOpacityMapSettings& s) {
+                   return text(millimetres(s.pixelSize), count(s.layers, "layer"), name(s.growth),
+                               reach(s), s.depthBits == 32 ? "" : text(' ', s.depthBits, " bits"),
+                               common(s.extinction, s.filter));
+                 },
+                 [](const DensityClusteringSettings& s) {
+                   return text(millimetres(s.pixelSize), count(s.clusters, "cluster"),
+                               count(s.iterations, "iteration"),
+                               s.start == DensityClusteringSettings::Start::TowardsLight
+                                   ? " towards the light"
+                                   : "",
+                               common(s.extinction, s.filter));
+                 },
+                 [](const DeepShadowMapSettings& s) {
+                   return text(millimetres(s.pixelSize), " tolerance ", s.tolerance,
+                               common(s.extinction, s.filter));
+                 }},
       settings);
 }
 

@@ -43,6 +43,28 @@ TEST(Clustering, OfOneClusterIsEquationThree) {
   EXPECT_NEAR(bin[0].to, 5 + std::sqrt(7.5), 1e-5);
 }
 
+TEST(Clustering, BinsThatOverlapMeetHalfway) {
+  // mu = 1.5 and 6.75, sigma = 1.5 and 2.25: R1 = 4.098, L2 = 2.853.
+  const std::vector<PixelFragment> fragments = {{0, 0.1f}, {3, 0.1f}, {4.5f, 0.2f}, {9, 0.2f}};
+  const auto bins = clustered(fragments, clusters(2));
+  ASSERT_EQ(bins.size(), 2u);
+  EXPECT_NEAR(bins[0].to, 0.5 * (1.5 + std::sqrt(3) * 1.5 + 6.75 - std::sqrt(3) * 2.25), 1e-5);
+  EXPECT_EQ(bins[0].to, bins[1].from);
+  EXPECT_FLOAT_EQ(bins[0].opticalDepth, 0.2f);
+  EXPECT_FLOAT_EQ(bins[1].opticalDepth, 0.4f);
+}
+
+TEST(Clustering, ALopsidedClusterDoesNotTurnItsNeighbourAround) {
+  // mu = 8 and 11.009, sigma = 0.008 and 2.997: L2 = 5.8, halfway to R1 is in front of L1.
+  const std::vector<PixelFragment> fragments = {{0, 1e-6f}, {8, 1}, {10.01f, 0.9f}, {20, 0.1f}};
+  const auto bins = clustered(fragments, clusters(2));
+  ASSERT_EQ(bins.size(), 2u);
+  EXPECT_NEAR(bins[0].from, 8, 0.02);
+  EXPECT_NEAR(bins[0].to, 8, 1e-4);
+  EXPECT_GE(bins[0].to, bins[0].from);
+  EXPECT_EQ(bins[1].from, bins[0].to);
+}
+
 TEST(Clustering, OfEvenFragmentsIsARamp) {
   // A uniform distribution of width W has sigma² = W² / 12: the bin is as wide as it (section 3.2).
   std::vector<PixelFragment> even;
@@ -145,7 +167,8 @@ TEST(Clustering, StopsMovingWhenFurtherRoundsChangeNothing) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].from, b[i].from);
 }
 
-/// Figure 5 of the paper, on numbers: the mean over rays of the mean error of the visibility function.
+/// Figure 5 of the paper, on numbers: the mean over rays of the mean error of the visibility
+/// function.
 struct Figure5 {
   double clustering = 0, twoMore = 0, towardsLight = 0, uniform = 0, twiceAsMany = 0;
   double nearLight = 0, nearLightTowards = 0;  // over the first quarter of the way

@@ -62,8 +62,8 @@ TEST(CompressedVisibility, StaysWithinTheToleranceEverywhere) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
     // From steps larger than the tolerance to steps far below it.
     const float opticalDepth = std::exp2(static_cast<float>(seed % 9) - 3);
-    auto fragments =
-        fragmentsOfGaussians(1 + static_cast<int>(seed % 6), seed, 1 + static_cast<int>(seed), opticalDepth);
+    auto fragments = fragmentsOfGaussians(1 + static_cast<int>(seed % 6), seed,
+                                          1 + static_cast<int>(seed), opticalDepth);
     if (seed % 4 == 0)
       for (PixelFragment& f : fragments) f.depth = std::round(f.depth * 30) / 30;
     for (float tolerance : {0.0f, 0.001f, 0.01f, 0.05f, 0.3f, 1.0f})
@@ -118,6 +118,20 @@ TEST(CompressedVisibility, OfAStraightFunctionIsOnePiece) {
     fragments.push_back({static_cast<float>(i), static_cast<float>(std::log(before / after))});
   }
   EXPECT_EQ(compressed(fragments, 0.002f).size(), 2u);
+}
+
+TEST(CompressedVisibility, BridgesStepsUpToTwiceTheTolerance) {
+  // Steps of one and a half tolerances, which a line can pass, but not many in a row; and of three.
+  std::vector<PixelFragment> low, high;
+  for (int i = 0; i < 40; ++i) {
+    const auto step = [&](double height) {
+      return static_cast<float>(std::log((1 - height * i) / (1 - height * (i + 1))));
+    };
+    low.push_back({static_cast<float>(i), step(0.015)});
+    high.push_back({static_cast<float>(i), step(0.024)});
+  }
+  EXPECT_LT(compressed(low, 0.01f).size(), 24u);
+  EXPECT_EQ(compressed(high, 0.008f).size(), 80u);
 }
 
 TEST(DeepShadowMap, IsTheProductOverEachPixelWithinItsTolerance) {

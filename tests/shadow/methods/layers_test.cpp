@@ -20,8 +20,8 @@ struct Cloud {
     for (std::uint32_t s = 0; s < strands; ++s) {
       // Chords between two random points of the rim of a disc would crowd there; long lines through
       // the square do not, in its middle.
-      const float x = kDepth * std::sqrt((static_cast<float>(s) + uniform(s, 0)) /
-                                         static_cast<float>(strands));
+      const float x =
+          kDepth * std::sqrt((static_cast<float>(s) + uniform(s, 0)) / static_cast<float>(strands));
       const float angle = 6.2831853f * uniform(s, 1), off = kWide * (uniform(s, 2) - 0.5f);
       const glm::vec3 along(0, std::cos(angle), std::sin(angle));
       const glm::vec3 middle(x, -off * along.z, off * along.y);
@@ -160,8 +160,8 @@ TEST(DeepOpacityMap, HairShadowsWhatIsRightBehindItHoweverFewBitsDepthsHave) {
   }
 }
 
-/// Yuksel and Keyser 2008, section 3: 8 bits of depth look the same. They darken, because depths are
-/// rounded towards the light, by less than the few layers themselves are wrong.
+/// Yuksel and Keyser 2008, section 3: 8 bits of depth look the same. They darken, because depths
+/// are rounded towards the light, by less than the few layers themselves are wrong.
 TEST(DeepOpacityMap, EightBitsOfDepthCostLessThanFewLayersDo) {
   const StrandSet hair = test::headOfHair(400, 25);
   const auto shadow = [&](int layers, int bits) {

@@ -123,6 +123,37 @@ TEST_P(ListMethod, PointsInFrontOfAllHairAndBesideItAreLit) {
   }
 }
 
+TEST_P(ListMethod, LinearIsThePixelAtItsMiddleAndTheMeanOfFourAtItsCorner) {
+  const StrandSet hair = headOfHair(1000, 20);
+  const LightSpace light = makeLightSpace(kSlanted);
+  const auto nearest = make(LateralFilter::Nearest), linear = make(LateralFilter::Linear);
+  nearest->build(hair, {}, light);
+  linear->build(hair, {}, light);
+  const LightImage image = makeLightImage(hair, light, 3e-3f);
+  std::vector<glm::vec3> corners, middles;
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    const auto whole = [&](int lower, int size, std::uint32_t use) {
+      return static_cast<float>(lower) + std::floor(uniform(i, use) * static_cast<float>(size));
+    };
+    const float depth = image.nearest + uniform(i, 1) * (image.farthest - image.nearest);
+    const glm::vec3 corner(depth, whole(image.lower.x, image.size.x, 2),
+                           whole(image.lower.y, image.size.y, 3));
+    corners.push_back(image.frame.point(corner));
+    for (glm::vec2 to : {glm::vec2(-0.5f, -0.5f), {0.5f, -0.5f}, {-0.5f, 0.5f}, {0.5f, 0.5f}})
+      middles.push_back(image.frame.point(corner + glm::vec3(0, to)));
+  }
+  const auto t = at(*linear, corners), own = at(*linear, middles), pixel = at(*nearest, middles);
+  // Points go to world coordinates and back, and depths with them: a few may cross a step.
+  std::size_t apart = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const float* four = pixel.data() + 4 * i;
+    const float mean = 0.25f * (four[0] + four[1] + four[2] + four[3]);
+    apart += std::abs(t[i] - mean) > 1e-3f ? 1 : 0;
+    for (std::size_t j = 4 * i; j < 4 * i + 4; ++j) apart += std::abs(own[j] - pixel[j]) > 1e-3f;
+  }
+  EXPECT_LT(apart, 10u);
+}
+
 TEST_P(ListMethod, OfNoHairIsAllLit) {
   const auto method = make();
   const std::vector<glm::vec3> points = {{0, 0, 0}, {1, -2, 3}, {1e6f, 0, -1e6f}};
@@ -213,7 +244,8 @@ TEST_P(ListMethod, OfASlabOfRandomFibresTendsToExpMinusTau) {
   for (float x : {0.02f, 0.05f, 0.08f, 0.11f}) {
     std::vector<glm::vec3> points;
     for (std::uint32_t i = 0; i < 4000; ++i)
-      points.push_back({x, side * (0.15f + 0.7f * uniform(i, 5)), side * (0.15f + 0.7f * uniform(i, 6))});
+      points.push_back(
+          {x, side * (0.15f + 0.7f * uniform(i, 5)), side * (0.15f + 0.7f * uniform(i, 6))});
     double mean = 0;
     for (float v : at(*method, points)) mean += double{v} / 4000;
     EXPECT_NEAR(mean, std::exp(-tau * std::min(x / side, 1.0f)), 0.006) << x;

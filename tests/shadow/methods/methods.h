@@ -29,16 +29,15 @@ inline std::vector<Candidate> candidates() {
   all.push_back({"shadow map", [] { return makeShadowMap({}); }});
   for (int slices : {1, 16})
     for (LateralFilter filter : {LateralFilter::Linear, LateralFilter::Nearest})
-      all.push_back({text("opacity map, slices ", slices, ", filter ", static_cast<int>(filter)),
-                     [=] {
-                       OpacityMapSettings s;
-                       s.slices = slices;
-                       s.filter = filter;
-                       return makeOpacityMap(s);
-                     }});
+      all.push_back(
+          {text("opacity map, slices ", slices, ", filter ", static_cast<int>(filter)), [=] {
+             OpacityMapSettings s;
+             s.slices = slices;
+             s.filter = filter;
+             return makeOpacityMap(s);
+           }});
   using Deep = DeepOpacityMapSettings;
-  for (auto beyond :
-       {Deep::Beyond::Ignored, Deep::Beyond::InLastLayer, Deep::Beyond::LargerLayers})
+  for (auto beyond : {Deep::Beyond::Ignored, Deep::Beyond::InLastLayer, Deep::Beyond::LargerLayers})
     for (auto growth : {Deep::Growth::Linear, Deep::Growth::Doubling})
       for (int bits : {8, 32})
         all.push_back({text("deep opacity map, beyond ", static_cast<int>(beyond), ", growth ",

@@ -69,7 +69,11 @@ TEST(ImageMethods, RefuseImagesTooLargeAndKeepWhatTheyHad) {
   OpacityMapSettings s;
   s.pixelSize = 0.1e-3f;
   s.slices = 1024;
-  EXPECT_THROW(makeOpacityMap(s)->build(hair, {}, test::parallelLight()), Error);
+  const auto method = makeOpacityMap(s);
+  const auto lock = test::oneStrand({{0, 0, 0}, {0.003f, 0.004f, 0.003f}, {0.006f, 0, 0.004f}});
+  const auto before = test::shadowed(*method, lock, test::parallelLight());
+  EXPECT_THROW(method->build(hair, {}, test::parallelLight()), Error);
+  EXPECT_EQ(test::sampled(*method, lock.points), before);
 }
 
 TEST(ImageMethods, RefuseRoomForAnotherNumberOfPoints) {

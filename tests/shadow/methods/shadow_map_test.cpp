@@ -56,6 +56,20 @@ TEST(ShadowMap, EdgesAreAsSoftAsTheFilterIsWide) {
   }
 }
 
+TEST(ShadowMap, TheFirstHairItselfIsLit) {
+  StrandSet strands = mat();
+  // Nearer to the light, elsewhere: or else the mat would be in front of all hair.
+  strands.append(std::vector<glm::vec3>{{-0.05f, 0.3f, 0}, {-0.05f, 0.3f, 0.1f}});
+  ShadowMapSettings s;
+  s.bias = 0;
+  const auto method = makeShadowMap(s);
+  method->build(strands, {}, test::alongX());
+  for (float behind : {0.0f, 1e-5f}) {
+    const glm::vec3 p(behind, 0.05f, 0.05f);
+    EXPECT_EQ(test::sampled(*method, std::span(&p, 1))[0], behind > 0 ? 0.0f : 1.0f);
+  }
+}
+
 TEST(ShadowMap, ABiasKeepsASlantedMatFromShadowingItself) {
   const LightSpace light = makeLightSpace(glm::vec3(1, 0.7f, 0));  // 35 degrees off the normal
   const auto self = [&](float bias) {

@@ -1,0 +1,92 @@
+#include <libhair/shadow/occlude.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <libhair/core/error.h>
+#include <libhair/core/parallel.h>
+#include <libhair/shadow/cell_walk.h>
+#include <libhair/shadow/cell_writer.h>
+
+namespace hair {
+
+namespace {
+
+// exp(-90) is below what the map can tell from nothing.
+constexpr float kOpaque = 90;
+
+/// A box in the map's cells, of a thing inside a sphere. Under a light at a point the sphere's
+/// farthest points bend outwards: its image is taken at many points and widened.
+struct CellBox {
+  glm::ivec3 lower, upper;
+};
+
+CellBox cellBox(const CellFrame& frame, glm::vec3 centre, float radius, int cells) {
+  Bounds box;
+  constexpr int kSteps = 6;
+  for (int x = -kSteps; x <= kSteps; ++x)
+    for (int y = -kSteps; y <= kSteps; ++y)
+      for (int z = -kSteps; z <= kSteps; ++z) {
+        const glm::vec3 to(x, y, z);
+        if (to != glm::vec3(0))
+          box.extend(frame.cellCoordinates(centre + 1.02f * radius * glm::normalize(to)));
+      }
+  // No more than the map: around a light inside the thing the image has no bounds.
+  const glm::ivec3 middle = floorToCell(frame.cellCoordinates(centre));
+  return {glm::max(floorToCell(box.lower), middle - cells / 2),
+          glm::min(floorToCell(box.upper), middle + cells / 2 - 1)};
+}
+
+/// distance(p): metres to the thing, negative inside, never more than the true distance.
+template <class Distance>
+void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMap& map) {
+  require(map.counts.data() != nullptr, "occlude: clear() the density map first");
+  require(map.settings.quantity == Quantity::OpticalDepth,
+          "occlude: a map of lengths has no shadows; give it Quantity::OpticalDepth");
+  const float cell = map.settings.cellSize;
+  if (map.empty()) {
+    map.frame = makeCellFrame(map.light, centre, cell, map.settings.cells);
+    map.quantum = kQuantum;
+  }
+  const CellFrame frame = map.frame;
+  const auto count = static_cast<std::uint32_t>(std::min(kOpaque / map.quantum, 4294967040.0f));
+  const CellBox box = cellBox(frame, centre, radius, map.settings.cells);
+  if (glm::any(glm::greaterThan(box.lower, box.upper))) return;
+  const auto rows = static_cast<std::size_t>(box.upper.z - box.lower.z + 1);
+  parallelFor(rows, 1, [&](std::size_t begin, std::size_t end) {
+    CellWriter<true> writer(map);
+    for (std::size_t row = begin; row < end; ++row) {
+      const int k = box.lower.z + static_cast<int>(row);
+      for (int j = box.lower.y; j <= box.upper.y; ++j) {
+        for (int i = box.lower.x; i <= box.upper.x;) {
+          const glm::vec3 front(static_cast<float>(i), static_cast<float>(j) + 0.5f,
+                                static_cast<float>(k) + 0.5f);
+          const float d = distance(frame.point(front)) / cell;
+          if (d <= -0.5f) {
+            writer.extend({i, j, k}, {i, j, k});
+            writer.add({i, j, k}, count);
+            break;
+          }
+          i += std::max(static_cast<int>(d), 1);
+        }
+      }
+    }
+  });
+}
+
+}  // namespace
+
+void occlude(const MeshSdf& mesh, const RigidTransform& worldFromMesh, DensityMap& map) {
+  const RigidTransform meshFromWorld = inverse(worldFromMesh);
+  const Bounds& box = mesh.box();
+  occlude([&](glm::vec3 p) { return mesh.distance(meshFromWorld.point(p)); },
+          worldFromMesh.point(box.centre()), 0.5f * glm::length(box.size()), map);
+}
+
+void occlude(std::span<const Capsule> capsules, DensityMap& map) {
+  for (const Capsule& c : capsules)
+    occlude([&](glm::vec3 p) { return std::sqrt(axisDistance2(c, p)) - c.radius; },
+            0.5f * (c.a + c.b), 0.5f * glm::distance(c.a, c.b) + c.radius, map);
+}
+
+}  // namespace hair
