@@ -73,6 +73,14 @@ void addDensityMaps(float footprint, float extent, CandidateSet set, List& list)
     list.add(densityMap(part * footprint, extent, Deposit::Segments, Filter::Centred));
   for (const float part : {0.5f, 2.0f / 3, 1.0f, 1.5f, 2.0f, 3.0f})
     list.add(densityMap(part * footprint, extent, Deposit::Trilinear, Filter::Centred));
+  // Room for the filter, which reads beyond the hair.
+  for (const float part : {1.0f / 3, 0.5f, 2.0f / 3, 1.0f}) {
+    const float cell = part * footprint;
+    DensityMapSettings settings =
+        densityMap(cell, extent + 6 * cell, Deposit::Segments, Filter::Footprint);
+    settings.footprint = footprint;
+    list.add(settings);
+  }
 }
 
 void addShadowMaps(float footprint, CandidateSet set, List& list) {

@@ -50,7 +50,8 @@ std::vector<SamplePoint> chooseSamplePoints(StrandView strands, std::size_t coun
                                             std::uint32_t seed);
 
 struct TruthSettings {
-  float footprint = 3e-3f;    ///< radius of the disc across the light that is averaged over, metres, >= 0
+  float footprint =
+      3e-3f;  ///< radius of the disc across the light that is averaged over, metres, >= 0
   std::uint32_t rays = 2048;  ///< a point, >= 2
   std::uint32_t seed = 1;
 };
@@ -58,8 +59,8 @@ struct TruthSettings {
 /// Transmittance and the standard error of that figure.
 struct Truth {
   std::vector<float> transmittance;  ///< [points.size()], [0, 1]
-  std::vector<float> standardError;  ///< [points.size()]; of plain random rays, so rather too large:
-                                     ///< rays are spread evenly over the disc
+  std::vector<float> standardError;  ///< [points.size()]; of plain random rays, so rather too
+                                     ///< large: rays are spread evenly over the disc
 };
 
 /// The mean over the disc around each point of (1 - opacity)^crossings on the way to the light, own

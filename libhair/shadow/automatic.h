@@ -6,8 +6,8 @@
 
 namespace hair {
 
-/// Settings of the density map for shadows averaged over a disc of radius `footprint` (metres, > 0),
-/// as measurement chose them (docs/accuracy.md). Reads the strands' extent under that light.
+/// Settings of the density map for shadows averaged over a disc of radius `footprint` (metres, >
+/// 0), as measurement chose them (docs/accuracy.md). Reads the strands' extent under that light.
 DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& light,
                                         float footprint);
 

@@ -15,8 +15,8 @@ class ShadowMethod;
 /// Deep shadow maps (Lokovic and Veach 2000): each pixel's whole visibility function, compressed to
 /// the fewest pieces that a greedy walk finds within `tolerance` of it everywhere.
 struct DeepShadowMapSettings {
-  float pixelSize = 3e-3f;   ///< metres, > 0
-  float tolerance = 0.01f;   ///< of transmittance, >= 0; 0: every fragment is kept
+  float pixelSize = 3e-3f;  ///< metres, > 0
+  float tolerance = 0.01f;  ///< of transmittance, >= 0; 0: every fragment is kept
   Extinction extinction = Extinction::Unbiased;
   LateralFilter filter = LateralFilter::Linear;
 };
@@ -36,7 +36,7 @@ struct VisibilityVertex {
 /// A piece begins where the last one ended. The slopes that keep it within the tolerance of all
 /// fragments passed shrink from fragment to fragment; when none is left, it ends at the last
 /// fragment that it could pass, with the middle one of the slopes that could (Lokovic and Veach
-/// 2000, section 3.2, "compression"). Where a fragment takes more light than a line can bridge, the
+/// 2000, on compression). Where a fragment takes more light than a line can bridge, the
 /// piece ends at it and the next begins below the step.
 void compressVisibility(std::span<const PixelFragment> fragments, float tolerance,
                         std::vector<VisibilityVertex>& vertices);

@@ -45,9 +45,9 @@ class ShadowMethod {
 };
 
 /// A method and its settings: one row of a table that compares them.
-using ShadowSettings = std::variant<DensityMapSettings, ShadowMapSettings, OpacityMapSettings,
-                                    DeepOpacityMapSettings, DensityClusteringSettings,
-                                    DeepShadowMapSettings>;
+using ShadowSettings =
+    std::variant<DensityMapSettings, ShadowMapSettings, OpacityMapSettings, DeepOpacityMapSettings,
+                 DensityClusteringSettings, DeepShadowMapSettings>;
 
 /// Throws Error for settings out of range.
 std::unique_ptr<ShadowMethod> makeShadowMethod(const ShadowSettings& settings);

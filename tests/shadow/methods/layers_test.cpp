@@ -109,9 +109,10 @@ double opticalDepthAt(const ShadowMethod& method, float x) {
 }
 
 TEST(DeepOpacityMap, HairBeyondTheLastLayerIsIgnoredCountedThereOrNotBeyond) {
-  // Layers of 10 mm together, hair at 0, 8 and 25 mm; each strand has optical depth 0.6 · 1/3.
+  // Layers of 10 mm together, hair at 0, 8 and 25 mm; each strand covers a third of its
+  // pixels and leaves 1 - opacity / 3 = exp(-0.2) of their light.
   const StrandSet strands = pile({0, 0.008f, 0.025f});
-  const Fibre fibre{1e-3f, 0.6f, 1};
+  const Fibre fibre{1e-3f, 3 * (1 - std::exp(-0.2f)), 1};
   const auto at = [&](Deep::Beyond beyond, float x) {
     Deep s;
     s.layers = 2;
