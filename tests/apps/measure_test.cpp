@@ -193,7 +193,9 @@ TEST_F(Measure, BadArgumentsAreToldBeforeAnyWork) {
       {"--width 0", 2, "--width"},
       {"--samples 0", 2, "--samples"},
       {"--rays 1", 2, "--rays"},
+      {"--rays 5000000", 2, "--rays"},
       {"--repeats 0", 2, "--repeats"},
+      {"--flicker-steps 1", 1, "--flicker-steps"},
       {"--csv /nowhere/t.csv", 1, "/nowhere"},
       {"--dump /nowhere/t.csv", 1, "/nowhere"},
       {"--html /nowhere/t.html", 1, "/nowhere"},
@@ -206,7 +208,8 @@ TEST_F(Measure, BadArgumentsAreToldBeforeAnyWork) {
     const Outcome outcome = measure(arguments);
     EXPECT_EQ(outcome.code, code) << arguments << '\n' << outcome.out;
     EXPECT_NE(outcome.out.find(word), std::string::npos) << arguments << '\n' << outcome.out;
-    EXPECT_EQ(outcome.out.find("tracing"), std::string::npos) << arguments << '\n' << outcome.out;
+    EXPECT_EQ(outcome.out.find("footprint 0.00"), std::string::npos) << arguments << '\n'
+                                                                     << outcome.out;
   }
   const Outcome unknown = run("measure --hair " + name("hair.hair") + " --methods voxels");
   EXPECT_EQ(unknown.code, 1);
