@@ -151,7 +151,7 @@ void addMeasure(CLI::App& app, Run& run, const std::string& commandLine) {
   command->add_option("--samples", options->samples, "points that are compared; default 4000")
       ->check(CLI::Range(1, 10'000'000));
   command->add_option("--rays", options->rays, "of the truth, a sample; default 2048")
-      ->check(CLI::Range(2, 100'000'000));
+      ->check(CLI::Range(2, 1 << 22));
   command->add_option("--seed", options->seed, "of the choice of samples and rays; default 1");
   command->add_option("--methods", options->methods,
                       "all (default), quick (each once), or names with commas between: auto, "
