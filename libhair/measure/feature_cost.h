@@ -14,10 +14,10 @@ namespace hair {
 /// What was seen of the whole scene while it was measured.
 struct SceneWatch {
   std::int64_t frames = 0;
-  double pushed = 0;             ///< share of guide points, over all frames, that self-collision pushes
-  float darkest = 1;             ///< least transmittance of any point
-  int cells = 0;                 ///< of the light's map along each axis
-  glm::ivec3 cellsUsed{0};       ///< the most that the hair spanned along each of the map's axes
+  double pushed = 0;        ///< share of guide points, over all frames, that self-collision pushes
+  float darkest = 1;        ///< least transmittance of any point
+  int cells = 0;            ///< of the light's map along each axis
+  glm::ivec3 cellsUsed{0};  ///< the most that the hair spanned along each of the map's axes
   std::uint32_t saturatedCells = 0;  ///< the most of any frame
   std::int64_t aliasedFrames = 0;
 };
@@ -27,7 +27,7 @@ struct Feature {
   std::string name;
   std::vector<Stage> stages;  ///< that run for it alone; empty: none does
   std::function<bool(const MeasuredScene&)> isOn;
-  std::function<void(MeasuredScene&)> turnOff;          ///< of a copy
+  std::function<void(MeasuredScene&)> turnOff;                     ///< of a copy
   std::function<std::string(const SceneWatch&)> advice = nullptr;  ///< "": none; null: the same
 };
 
@@ -38,10 +38,10 @@ std::vector<Feature> featuresOf(const MeasuredScene& scene);
 struct FeatureCost {
   std::string name;
   std::optional<double> ownMs;  ///< medians of its stages, added; none where it has no stage
-  double savedMs = 0;       ///< median over blocks of what the frame is faster without it
-  double savedMsError = 0;  ///< standard error of that
-  double savedShare = 0;    ///< savedMs / FeaturePlan::frameMs
-  double savedBytes = 0;    ///< hairBytes with it, less without; negative: leaving it out takes more
+  double savedMs = 0;           ///< median over blocks of what the frame is faster without it
+  double savedMsError = 0;      ///< standard error of that
+  double savedShare = 0;        ///< savedMs / FeaturePlan::frameMs
+  double savedBytes = 0;  ///< hairBytes with it, less without; negative: leaving it out takes more
   /// What leaving it out changes, root of the mean square over points and blocks; none where the
   /// two have not the same points or colours to compare.
   std::optional<double> movedMetres;

@@ -71,23 +71,43 @@ std::vector<Feature> featuresOf(const MeasuredScene& scene) {
   // One line a feature: name, stages of its own, whether it is on, how to turn it off, advice.
   std::vector<Feature> all = {
       {"contact", {}, [](const Scene& s) { return s.head || s.bodyContact; }, dropContact},
-      {"wind", {}, [](const Scene& s) { return !s.settings.wind.still(); },
+      {"wind",
+       {},
+       [](const Scene& s) { return !s.settings.wind.still(); },
        [](Scene& s) { s.settings.wind = {}; }},
-      {"wisps", {Stage::Wisps}, [](const Scene& s) { return !drawsGuidesAlone(*s.groom); }, dropWisps},
-      {"offsets and curls", {}, [](const Scene& s) { return !s.groom->offsets.empty(); },
+      {"wisps",
+       {Stage::Wisps},
+       [](const Scene& s) { return !drawsGuidesAlone(*s.groom); },
+       dropWisps},
+      {"offsets and curls",
+       {},
+       [](const Scene& s) { return !s.groom->offsets.empty(); },
        dropOffsets},
-      {"strands avoid body", {}, [](const Scene& s) { return s.wisps.avoidColliders; },
+      {"strands avoid body",
+       {},
+       [](const Scene& s) { return s.wisps.avoidColliders; },
        [](Scene& s) { s.wisps.avoidColliders = false; }},
-      {"self-collision", {Stage::SelfCollision}, [](const Scene& s) { return s.settings.selfCollision; },
-       [](Scene& s) { s.settings.selfCollision = false; }, adviseSelfCollision},
-      {"light's map", {Stage::Deposit, Stage::Transmittance, Stage::Filter},
+      {"self-collision",
+       {Stage::SelfCollision},
+       [](const Scene& s) { return s.settings.selfCollision; },
+       [](Scene& s) { s.settings.selfCollision = false; },
+       adviseSelfCollision},
+      {"light's map",
+       {Stage::Deposit, Stage::Transmittance, Stage::Filter},
        [](const Scene& s) { return s.settings.shadow; },
-       [](Scene& s) { s.settings.shadow = false; }, adviseMap},
-      {"map's filter", {}, [](const Scene& s) { return s.settings.shadow && s.settings.map.filter != Filter::None; },
+       [](Scene& s) { s.settings.shadow = false; },
+       adviseMap},
+      {"map's filter",
+       {},
+       [](const Scene& s) { return s.settings.shadow && s.settings.map.filter != Filter::None; },
        [](Scene& s) { s.settings.map.filter = Filter::None; }},
-      {"shading", {Stage::Shade}, [](const Scene& s) { return s.settings.shade; },
+      {"shading",
+       {Stage::Shade},
+       [](const Scene& s) { return s.settings.shade; },
        [](Scene& s) { s.settings.shade = false; }},
-      {"second highlight", {}, [](const Scene& s) { return s.settings.shade && s.settings.look.secondSpecular > 0; },
+      {"second highlight",
+       {},
+       [](const Scene& s) { return s.settings.shade && s.settings.look.secondSpecular > 0; },
        [](Scene& s) { s.settings.look.secondSpecular = 0; }},
   };
   std::erase_if(all, [&](const Feature& f) { return !f.isOn(scene); });
@@ -106,8 +126,9 @@ std::size_t bytesOf(const DensityMap& map) {
   const auto set = [](const auto& array, std::size_t count) {
     return array.data() ? count * sizeof(*array.data()) : 0;
   };
-  return set(map.counts, n * n * n) + set(map.touched, n * n) + set(map.saturation, (n * n * n + 31) / 32) +
-         set(map.transmittance, n * n * n + n) + bytesOf(map.rowOf);
+  return set(map.counts, n * n * n) + set(map.touched, n * n) +
+         set(map.saturation, (n * n * n + 31) / 32) + set(map.transmittance, n * n * n + n) +
+         bytesOf(map.rowOf);
 }
 
 template <class... Arrays>

@@ -17,13 +17,12 @@ enum class Tips { Guides, Drawn };
 
 void check(const SimulationTrialSettings& s) {
   require(s.frames >= 1, "simulation trial: frames = ", s.frames, "; take at least 1");
-  require(s.earlyFrames >= 1 && s.earlyFrames <= s.frames, "simulation trial: earlyFrames = ",
-          s.earlyFrames, " is not in 1 to frames = ", s.frames);
+  require(s.earlyFrames >= 1 && s.earlyFrames <= s.frames,
+          "simulation trial: earlyFrames = ", s.earlyFrames, " is not in 1 to frames = ", s.frames);
   require(s.referenceSubsteps >= 2 && s.referenceSubsteps % 2 == 0,
           "simulation trial: referenceSubsteps = ", s.referenceSubsteps,
           " must be even, and at least 2: the reference is compared with half as many");
-  for (int n : s.substeps)
-    require(n >= 1, "simulation trial: substeps = ", n, "; take at least 1");
+  for (int n : s.substeps) require(n >= 1, "simulation trial: substeps = ", n, "; take at least 1");
   for (int n : s.iterations)
     require(n >= 1, "simulation trial: iterations = ", n, "; take at least 1");
 }
@@ -73,6 +72,14 @@ MeasuredScene moved(MeasuredScene scene, glm::vec3 by) {
   return scene;
 }
 
+// Brings the head to the origin, but for what tells places apart: the cells that self-collision
+// counts in stand on the world's grid, so the way is whole cells; gusts of wind allow none.
+glm::vec3 wayToOrigin(const ScenePlayer& player) {
+  if (!player.scene.settings.wind.still()) return glm::vec3(0);
+  const float cell = player.scene.settings.repulsion.cellSize;
+  return -cell * glm::round(player.hair.guides.worldFromHead.translation / cell);
+}
+
 struct Run {
   SimulationRow row;
   std::vector<glm::vec3> tips;  // [frames · tip count]
@@ -84,14 +91,13 @@ void recordTips(const Hair& hair, Tips which, std::vector<glm::vec3>& out) {
       out.push_back(hair.guides.point(g, hair.guides.pointsPerGuide() - 1));
   } else {
     const StrandView strands = hair.strands();
-    for (std::size_t s = 0; s < strands.strandCount(); ++s)
-      out.push_back(strands.strand(s).back());
+    for (std::size_t s = 0; s < strands.strandCount(); ++s) out.push_back(strands.strand(s).back());
   }
 }
 
 int substepsOf(const MeasuredScene& scene) {
-  return std::max(1, static_cast<int>(std::ceil(
-                         scene.frameSeconds / scene.settings.guides.substep - 1e-3f)));
+  return std::max(
+      1, static_cast<int>(std::ceil(scene.frameSeconds / scene.settings.guides.substep - 1e-3f)));
 }
 
 // The larger of the two, but NaN once there is one.
@@ -170,9 +176,7 @@ SubstepTrial measureSubsteps(const MeasuredScene& scene, const SimulationTrialSe
 
   SubstepTrial trial;
   // Many substeps move points by little, and a metre from the origin that little is rounded away.
-  // Gusts know where they are, so that in wind all stays in its place.
-  const glm::vec3 toOrigin = scene.settings.wind.still() ? -start.guides.worldFromHead.translation
-                                                         : glm::vec3(0);
+  const glm::vec3 toOrigin = wayToOrigin(player);
   const Start startThere = start.moved(toOrigin);
   ScenePlayer there(moved(player.scene, toOrigin));
   const auto converge = [&](int substeps) {
@@ -184,8 +188,7 @@ SubstepTrial measureSubsteps(const MeasuredScene& scene, const SimulationTrialSe
   };
   const Run reference = converge(settings.referenceSubsteps);
   trial.reference = reference.row;
-  trial.reference.tips =
-      distance(converge(settings.referenceSubsteps / 2), reference, settings);
+  trial.reference.tips = distance(converge(settings.referenceSubsteps / 2), reference, settings);
   const auto add = [&](int substeps, int iterations) {
     const Run row = run(substeps, iterations);
     trial.rows.push_back(row.row);
@@ -222,8 +225,8 @@ GuideCountTrial measureGuideCounts(const MeasuredScene& scene, std::span<const s
   const GuideStrands rest(groom, scene.settings.guides);
   const Wisps drawn(groom, rest);
   for (std::size_t count : counts) {
-    Groom bound = bindGroom(
-        drawn.strands(), {static_cast<std::uint32_t>(count), groom.pointsPerGuide, 0.5f});
+    Groom bound =
+        bindGroom(drawn.strands(), {static_cast<std::uint32_t>(count), groom.pointsPerGuide, 0.5f});
     bound.fibre = groom.fibre;
     bare.groom = borrowed(bound);
     ScenePlayer player(bare);

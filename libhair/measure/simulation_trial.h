@@ -46,22 +46,23 @@ struct SimulationTrialSettings {
 ///
 /// More substeps are not better without end. A substep moves a point by g h², and a metre from the
 /// origin that is rounded away in single precision: at 60 frames a second, 32 substeps there are
-/// the most that converge. The reference (not the rows) is therefore run with the head moved to the
-/// origin, which is good for 64; where it is not enough its uncertainty says so. In wind, whose
+/// the most that converge. The reference (not the rows) is therefore run with the head brought to
+/// the origin, which is good for 64; where it is not enough its uncertainty says so. In wind, whose
 /// gusts know where they are, the reference stays where it is.
 ///
-/// Known limits. Hair in contact may be chaotic: hang on a shoulder or slip off it by a hair's
-/// breadth, and be centimetres off for good. `twin` measures that: the scene's own settings again,
-/// but every point starts 0.01 mm/s faster. Hair without contact damps that out. Only distances well
-/// above the twin's over the same frames say something about substeps; where the twin's grow from
-/// `early` to `late`, believe `early`. In the built-in dance drag and friction forget quickly: the
-/// twin stays a tenth of the smallest error or less, and the mean over all frames is meaningful.
-/// `max` is one tip that fell on the other side of something, and says little.
-/// Poses are known at frames and blended between them in every run: the error of that is in none
-/// of them, nor is that of the settled state, which all runs share.
+/// Known limits. Hair in contact hangs on a shoulder or slips off it by a hair's breadth, and is
+/// then centimetres off for good. Once strands have parted in this way, means count them and not
+/// the error of the integration: where the reference's own distance grows from `early` to `late`,
+/// believe `early`, or take fewer frames. In the built-in dance (smooth style) all three means are
+/// alike for some seconds, as drag and friction forget; after ten seconds the last frames' are ten
+/// times the first's. `twin` says what an arbitrarily small difference comes to: the scene's own
+/// settings again, but every point starts 0.01 mm/s faster. Distances that are not well above the
+/// twin's over the same frames say nothing about substeps. `max` is mostly one tip that fell on the
+/// other side of something. Poses are known at frames and blended between them in every run: the
+/// error of that is in none of them, nor is that of the settled state, which all runs share.
 struct SubstepTrial {
-  SimulationRow reference;   ///< its distance: from the run with half its substeps
-  SimulationRow twin;        ///< of the scene's own settings; its distance: from their run
+  SimulationRow reference;          ///< its distance: from the run with half its substeps
+  SimulationRow twin;               ///< of the scene's own settings; its distance: from their run
   std::vector<SimulationRow> rows;  ///< `substeps`, then `iterations`; distance from the reference
 };
 
@@ -72,8 +73,8 @@ SubstepTrial measureSubsteps(const MeasuredScene& scene, const SimulationTrialSe
 
 /// Time against what fewer guides change of the drawn hair.
 struct GuideCountTrial {
-  SimulationRow all;   ///< the scene's own groom; distance 0
-  SimulationRow twin;  ///< as in SubstepTrial, but of the drawn strands
+  SimulationRow all;                ///< the scene's own groom; distance 0
+  SimulationRow twin;               ///< as in SubstepTrial, but of the drawn strands
   std::vector<SimulationRow> rows;  ///< distance from the run of the scene's own groom
 };
 

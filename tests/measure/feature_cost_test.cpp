@@ -95,8 +95,9 @@ TEST(FeatureCost, MemoryIsThatOfTheArrays) {
   EXPECT_EQ(costOf("wind", plan).savedBytes, 0);
   // Counts and transmittance of every cell, rows, saturation bits, and what points got of it.
   const double cells = 32 * 32 * 32, row = 32;
-  EXPECT_EQ(costOf("light's map", plan).savedBytes,
-            4 * cells + 4 * (cells + row) + cells / 8 + row * row + 4 * (row + 1) * row + 4 * points);
+  EXPECT_EQ(
+      costOf("light's map", plan).savedBytes,
+      4 * cells + 4 * (cells + row) + cells / 8 + row * row + 4 * (row + 1) * row + 4 * points);
   EXPECT_GT(plan.bytes, costOf("light's map", plan).savedBytes);
 }
 
@@ -121,8 +122,8 @@ TEST(FeatureCost, WhatAFeatureChangesIsWhatItIsFor) {
 
 TEST(FeatureCost, AFeatureThatDoesNothingIsSaidTo) {
   const MeasuredScene scene = everything();
-  const Feature nothing{"nothing", {}, [](const MeasuredScene&) { return true; },
-                        [](MeasuredScene&) {}};
+  const Feature nothing{
+      "nothing", {}, [](const MeasuredScene&) { return true; }, [](MeasuredScene&) {}};
   const FeaturePlan plan = measureFeatures(scene, {&nothing, 1}, kQuick);
   const FeatureCost& cost = costOf("nothing", plan);
   EXPECT_EQ(cost.movedMetres, 0);
@@ -143,8 +144,9 @@ TEST(FeatureCost, AdviceFollowsWhatWasSeen) {
     change(*groom);
     scene.groom = groom;
   };
-  EXPECT_EQ(adviceOn("self-collision", [](MeasuredScene& s) { s.settings.repulsion.threshold = 1e12f; }),
-            "never pushes: leave it out");
+  EXPECT_EQ(
+      adviceOn("self-collision", [](MeasuredScene& s) { s.settings.repulsion.threshold = 1e12f; }),
+      "never pushes: leave it out");
   EXPECT_EQ(adviceOn("self-collision",
                      [](MeasuredScene& s) {
                        s.settings.repulsion.threshold = 0;
@@ -157,11 +159,14 @@ TEST(FeatureCost, AdviceFollowsWhatWasSeen) {
                        groomWith(s, [](Groom& groom) { groom.fibre.opacity = 1e-12f; });
                      }),
             "every transmittance is 1: leave it out");
-  EXPECT_TRUE(adviceOn("light's map", [](MeasuredScene& s) { s.settings.map.cellSize = 0.002f; })
-                  .starts_with("the hair was larger than the map in 8 of 8 frames"));
-  EXPECT_TRUE(adviceOn("light's map", [](MeasuredScene& s) { s.settings.map.cells = 64; })
-                  .starts_with("the hair spanned "));
-  EXPECT_EQ(adviceOn("light's map", [](MeasuredScene& s) { s.settings.map.cellSize = 0.035f; }), "");
+  EXPECT_TRUE(adviceOn("light's map", [](MeasuredScene& s) {
+                s.settings.map.cellSize = 0.002f;
+              }).starts_with("the hair was larger than the map in 8 of 8 frames"));
+  EXPECT_TRUE(adviceOn("light's map", [](MeasuredScene& s) {
+                s.settings.map.cells = 64;
+              }).starts_with("the hair spanned "));
+  EXPECT_EQ(adviceOn("light's map", [](MeasuredScene& s) { s.settings.map.cellSize = 0.035f; }),
+            "");
 }
 
 TEST(FeatureCost, SettingsOutOfRangeAreErrors) {
