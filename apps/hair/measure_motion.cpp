@@ -18,9 +18,10 @@ struct NamedRow {
 };
 
 void printHead(const char* tips) {
-  std::cout << tips << ", from          rms of tips, mm        max  stretch  penetr.      ms a frame\n"
-            << "                substeps iter guides   first     all    last      mm     max %       mm"
-               "   guides   wisps\n";
+  std::cout << std::left << std::setw(18) << tips << std::right
+            << "sub-                rms of tips, mm       max   stretch  penetr.    ms a frame\n"
+               "                  steps iter guides   first     all    last      mm     max %"
+               "       mm   guides   wisps\n";
 }
 
 void print(const NamedRow& named) {
@@ -66,7 +67,7 @@ void runMeasureMotion(const MeasureMotionOptions& options) {
             << " a second; first, last: of " << trial.earlyFrames << " frames\n\n";
   {
     const SubstepTrial result = measureSubsteps(scene, trial);
-    printHead("guides");
+    printHead("tips of guides");
     show("half of reference", result.reference);
     show("twin", result.twin);
     for (const SimulationRow& row : result.rows) show("substeps", row);
@@ -74,7 +75,7 @@ void runMeasureMotion(const MeasureMotionOptions& options) {
   if (!options.guideCounts.empty()) {
     const GuideCountTrial result = measureGuideCounts(scene, options.guideCounts, trial);
     std::cout << '\n';
-    printHead("strands");
+    printHead("tips of strands");
     show("all guides", result.all);
     show("all guides twin", result.twin);
     for (const SimulationRow& row : result.rows) show("bound to", row);

@@ -24,9 +24,10 @@ std::optional<double> scaled(std::optional<double> value, double by) {
 }
 
 void print(const FeaturePlan& plan) {
-  std::cout << "frame: " << cell(plan.frameMs, 3) << " ms (median), " << cell(plan.bytes * 1e-6, 1)
-            << " MB\n\n"
-            << "left out               own ms  saves ms      +-       %      MB  moves mm  recolours\n";
+  std::cout
+      << "frame: " << cell(plan.frameMs, 3) << " ms (median), " << cell(plan.bytes * 1e-6, 1)
+      << " MB\n\n"
+      << "left out               own ms  saves ms      +-       %      MB  moves mm  recolours\n";
   for (const FeatureCost& f : plan.features) {
     std::cout << std::left << std::setw(21) << f.name << std::right << std::setw(8)
               << cell(f.ownMs, 3) << std::setw(10) << cell(f.savedMs, 3) << std::setw(8)
@@ -74,8 +75,8 @@ void runPlan(const PlanOptions& options) {
   for (const std::string& note : subject.notes) std::cerr << note << '\n';
   FeatureCostSettings settings;
   settings.blocks = std::max(2, options.frames / settings.framesPerBlock);
-  const MeasuredScene scene = measuredScene(subject, options.performance,
-                                            settings.blocks * settings.framesPerBlock);
+  const MeasuredScene scene =
+      measuredScene(subject, options.performance, settings.blocks * settings.framesPerBlock);
   const FeaturePlan plan = measureFeatures(scene, featuresOf(scene), settings);
   print(plan);
   if (!options.csv.empty()) writeCsv(options.csv, plan);

@@ -175,6 +175,8 @@ FeaturePlan measureFeatures(const MeasuredScene& scene, std::span<const Feature>
     if (features[i].advice) cost.advice = features[i].advice(plan.watch);
     if (cost.advice.empty() && changesNothing(cost, scene.settings.shade))
       cost.advice = "changes not one bit of this scene: leave it out";
+    if (cost.advice.empty() && cost.savedMs < 2 * cost.savedMsError && cost.savedBytes <= 0)
+      cost.advice = "costs nothing that this run can tell from noise";
     plan.features.push_back(std::move(cost));
   }
   return plan;

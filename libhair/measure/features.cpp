@@ -68,7 +68,7 @@ std::string adviseMap(const SceneWatch& watch) {
 }  // namespace
 
 std::vector<Feature> featuresOf(const MeasuredScene& scene) {
-  // One line a feature: name, stages of its own, whether it is on, how to turn it off, advice.
+  // One entry a feature: name, stages of its own, whether it is on, how to turn it off, advice.
   std::vector<Feature> all = {
       {"contact", {}, [](const Scene& s) { return s.head || s.bodyContact; }, dropContact},
       {"wind",

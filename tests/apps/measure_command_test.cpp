@@ -59,9 +59,9 @@ TEST(MeasureMotion, WritesARowASetting) {
             "what,substeps,iterations,guides,tip_early_mm,tip_rms_mm,tip_late_mm,tip_max_mm,"
             "stretch_max,penetration_max_mm,guides_ms,wisps_ms");
   const std::vector<std::string> starts = {
-      "half of reference,4,2,402,", "twin,8,2,402,",       "substeps,1,2,402,",
-      "substeps,4,2,402,",          "substeps,8,3,402,",   "all guides,8,2,402,0,0,0,0,",
-      "all guides twin,8,2,402,",   "bound to,8,2,30,",    "bound to,8,2,10,"};
+      "half of reference,4,2,402,", "twin,8,2,402,",     "substeps,1,2,402,",
+      "substeps,4,2,402,",          "substeps,8,3,402,", "all guides,8,2,402,0,0,0,0,",
+      "all guides twin,8,2,402,",   "bound to,8,2,30,",  "bound to,8,2,10,"};
   for (std::size_t i = 0; i < starts.size(); ++i) {
     EXPECT_TRUE(lines[i + 1].starts_with(starts[i])) << lines[i + 1];
     EXPECT_EQ(fieldsOf(lines[i + 1]).size(), 12u) << lines[i + 1];

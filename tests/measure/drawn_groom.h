@@ -14,8 +14,8 @@ inline Groom boundSphere(std::uint32_t strands, std::uint32_t guides) {
   return bindGroom({all.guidePoints, first}, {guides, all.pointsPerGuide, 0.5f});
 }
 
-/// On a head that shakes about `place`: turns by half a radian, goes up and down by 3 cm. Nothing is
-/// in the way.
+/// On a head that shakes about `place`: turns by half a radian, goes up and down by 3 cm. Nothing
+/// is in the way.
 inline MeasuredScene shakenScene(Groom groom, glm::vec3 place = glm::vec3(0)) {
   MeasuredScene scene;
   scene.groom = std::make_shared<Groom>(std::move(groom));
