@@ -62,7 +62,9 @@ class BrickStore {
   /// Place of slot 1, 2 ...
   std::span<const std::uint32_t> places() const { return places_; }
 
-  std::uint32_t* cells(std::uint32_t slot) { return cells_.get() + slot * std::size_t{brick::kCells}; }
+  std::uint32_t* cells(std::uint32_t slot) {
+    return cells_.get() + slot * std::size_t{brick::kCells};
+  }
   const std::uint32_t* cells(std::uint32_t slot) const {
     return cells_.get() + slot * std::size_t{brick::kCells};
   }
@@ -126,8 +128,8 @@ class Transmittances {
     for (std::size_t c = 0; c < brick::kCells; ++c) values_[c] = 1.0f;
   }
   float* slice(std::uint32_t slot, int slice) {
-    return values_.get() + (slot * std::size_t{brick::kX} + static_cast<std::size_t>(slice)) *
-                               brick::kLayer;
+    return values_.get() +
+           (slot * std::size_t{brick::kX} + static_cast<std::size_t>(slice)) * brick::kLayer;
   }
   /// Row z (within its brick) of slice x (within its brick) of what a code says.
   const float* row(std::uint32_t code, std::uint32_t x, int z) const {
