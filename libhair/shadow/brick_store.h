@@ -43,9 +43,11 @@ class BrickStore {
   }
   bool valid() const { return !slots_.empty(); }
   std::size_t size() const { return places_.size(); }  ///< bricks that exist
+  std::size_t room() const { return room_; }           ///< bricks that it has memory for
+  /// Of the table and the bricks that exist.
   std::size_t bytes() const {
-    return slots_.size() * sizeof(slots_[0]) + places_.capacity() * sizeof(places_[0]) +
-           room_ * brick::kCells * sizeof(std::uint32_t);
+    return slots_.size() * sizeof(slots_[0]) +
+           size() * (sizeof(places_[0]) + brick::kCells * sizeof(std::uint32_t));
   }
 
   /// Which brick holds a wrapped cell.
@@ -77,7 +79,7 @@ class BrickStore {
   bool claim(std::size_t place) {
     if (slots_[place] != 0) return false;
     places_.push_back(static_cast<std::uint32_t>(place));
-    if (places_.size() >= room_) grow();
+    if (places_.size() >= room_) grow(2 * room_ + 64);
     slots_[place] = static_cast<std::uint32_t>(places_.size());
     return true;
   }
@@ -87,15 +89,17 @@ class BrickStore {
     return s == 0 ? 0 : cells(s)[brick::offset(cell)];
   }
 
-  /// No brick exists any more; their memory is kept.
+  /// No brick exists any more; their memory is kept. Where it was nearly full, there is soon enough
+  /// of it for twice as many, so that hair that moves hardly ever needs more in a later frame.
   void clear() {
+    if (3 * size() >= 2 * room_) grow(5 * size() / 2 + 64);
     for (const std::uint32_t p : places_) slots_[p] = 0;
     places_.clear();
   }
 
  private:
-  void grow() {
-    const std::size_t room = 2 * room_ + 64;
+  void grow(std::size_t room) {
+    places_.reserve(room);
     std::unique_ptr<std::uint32_t[]> cells(new std::uint32_t[room * brick::kCells]);
     if (room_ > 0) std::memcpy(cells.get(), cells_.get(), room_ * brick::kCells * sizeof(cells[0]));
     cells_ = std::move(cells);
@@ -123,7 +127,7 @@ class Transmittances {
   /// Room for slots 0 to `slots`; what was there is lost.
   void reserve(std::size_t slots) {
     if (slots + 1 <= slots_) return;
-    slots_ = slots + 1 + slots / 4;
+    slots_ = slots + 1;
     values_.reset(new float[slots_ * brick::kCells]);
     for (std::size_t c = 0; c < brick::kCells; ++c) values_[c] = 1.0f;
   }
@@ -137,7 +141,6 @@ class Transmittances {
     return values_.get() + layer * std::size_t{brick::kLayer} +
            static_cast<std::size_t>(z * brick::kY);
   }
-  std::size_t bytes() const { return slots_ * brick::kCells * sizeof(float); }
 
  private:
   std::size_t slots_ = 0;

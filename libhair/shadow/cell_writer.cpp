@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <vector>
+#include <mutex>
 
 #include <libhair/core/parallel.h>
 
@@ -10,23 +10,19 @@ namespace hair {
 
 namespace {
 
-struct Written {
-  glm::ivec3 lower{INT_MAX}, upper{INT_MIN};
-  bool full = false;
-};
-
 /// sum += from, and `from` is empty. True if a cell is full now.
 bool addUp(BrickStore& from, BrickStore& sum) {
   // Places are made one after another, which is a look at the table each; bytes move in parallel.
-  std::vector<bool> isNew(from.size());
-  for (std::size_t b = 0; b < from.size(); ++b) isNew[b] = sum.claim(from.places()[b]);
+  const std::size_t old = sum.size();
+  for (const std::uint32_t place : from.places()) sum.claim(place);
   std::atomic<bool> full = false;
   parallelFor(from.size(), 32, [&](std::size_t begin, std::size_t end) {
     bool anyFull = false;
     for (std::size_t b = begin; b < end; ++b) {
       const std::uint32_t* theirs = from.cells(static_cast<std::uint32_t>(b + 1));
-      std::uint32_t* mine = sum.cells(sum.slot(from.places()[b]));
-      if (isNew[b]) {
+      const std::uint32_t slot = sum.slot(from.places()[b]);
+      std::uint32_t* mine = sum.cells(slot);
+      if (slot > old) {
         std::copy_n(theirs, brick::kCells, mine);
         continue;
       }
@@ -92,29 +88,30 @@ void CellWriter::flush() {
   size_ = 0;
 }
 
-void writeCells(std::size_t count, std::size_t grain, DensityMap& map,
-                const std::function<void(CellWriter&, std::size_t, std::size_t)>& write) {
+void detail::writeCells(std::size_t count, std::size_t grain, DensityMap& map, WriteRange write,
+                        void* context) {
   const std::size_t blocks = (count + grain - 1) / grain;
   const std::size_t workers =
       std::clamp<std::size_t>(blocks, 1, static_cast<std::size_t>(threadCount()));
   while (map.workers.size() + 1 < workers) map.workers.emplace_back(map.settings.cells);
-  std::vector<Written> written(workers);
   std::atomic<std::size_t> next = 0;
-  parallelFor(workers, 1, [&](std::size_t begin, std::size_t end) {
+  std::mutex joining;
+  glm::ivec3 lower = map.lower, upper = map.upper;
+  bool full = map.saturatedCells > 0;
+  hair::parallelFor(workers, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t w = begin; w < end; ++w) {
       CellWriter writer(map, w == 0 ? map.bricks : map.workers[w - 1]);
       for (std::size_t b = next++; b < blocks; b = next++)
-        write(writer, b * grain, std::min((b + 1) * grain, count));
+        write(context, writer, b * grain, std::min((b + 1) * grain, count));
       writer.flush();
-      written[w] = {writer.lower(), writer.upper(), writer.full()};
+      const std::scoped_lock lock(joining);
+      lower = glm::min(lower, writer.lower());
+      upper = glm::max(upper, writer.upper());
+      full |= writer.full();
     }
   });
-  bool full = map.saturatedCells > 0;
-  for (const Written& w : written) {
-    map.lower = glm::min(map.lower, w.lower);
-    map.upper = glm::max(map.upper, w.upper);
-    full |= w.full;
-  }
+  map.lower = lower;
+  map.upper = upper;
   for (std::size_t w = 1; w < workers; ++w) full |= addUp(map.workers[w - 1], map.bricks);
   map.saturatedCells = full ? countFull(map.bricks) : 0;
 }

@@ -3,7 +3,7 @@
 #include <climits>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <type_traits>
 
 #include <glm/glm.hpp>
 
@@ -63,10 +63,24 @@ class CellWriter {
   glm::ivec3 lower_{INT_MAX}, upper_{INT_MIN};
 };
 
+namespace detail {
+using WriteRange = void (*)(void* context, CellWriter& writer, std::size_t begin, std::size_t end);
+void writeCells(std::size_t count, std::size_t grain, DensityMap& map, WriteRange write,
+                void* context);
+}  // namespace detail
+
 /// Calls write(writer, begin, end) on ranges of at most `grain` that cover [0, count), on all
 /// threads, and adds up what they wrote in map.bricks, with bounds and saturation. The result has
 /// the same bits for any number of threads.
-void writeCells(std::size_t count, std::size_t grain, DensityMap& map,
-                const std::function<void(CellWriter&, std::size_t, std::size_t)>& write);
+template <class Write>
+void writeCells(std::size_t count, std::size_t grain, DensityMap& map, Write&& write) {
+  using Plain = std::remove_reference_t<Write>;
+  detail::writeCells(
+      count, grain, map,
+      [](void* context, CellWriter& writer, std::size_t begin, std::size_t end) {
+        (*static_cast<Plain*>(context))(writer, begin, end);
+      },
+      const_cast<void*>(static_cast<const void*>(&write)));
+}
 
 }  // namespace hair

@@ -49,11 +49,8 @@ bool DensityMap::aliased() const {
 }
 
 std::size_t DensityMap::bytes() const {
-  std::size_t sum = bricks.bytes() + transmittances.bytes() +
-                    lightIn.capacity() * sizeof(lightIn[0]) +
-                    lightHere.capacity() * sizeof(lightHere[0]);
-  for (const BrickStore& worker : workers) sum += worker.bytes();
-  return sum;
+  return bricks.bytes() + (bricks.size() + 1) * brick::kCells * sizeof(float) +
+         lightIn.size() * sizeof(lightIn[0]) + lightHere.size() * sizeof(lightHere[0]);
 }
 
 float DensityMap::density(glm::ivec3 cell) const {

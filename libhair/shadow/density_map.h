@@ -107,7 +107,8 @@ struct DensityMap {
   /// The hair is larger than the map: its ends share cells, shadows are wrong there. Take more or
   /// larger cells (mapExtentNeeded).
   bool aliased() const;
-  /// Memory that it keeps.
+  /// Memory of what it holds. Room for more of it, and for what other threads write, is kept beside
+  /// that: at most four times as much again, and as much a thread.
   std::size_t bytes() const;
 
   int wrap(int i) const {

@@ -83,7 +83,7 @@ void walk(std::size_t z, DensityMap& map) {
 void computeTransmittance(DensityMap& map) {
   const glm::ivec3 perAxis = map.bricks.perAxis();
   const std::size_t across = map.bricks.across();
-  map.transmittances.reserve(map.bricks.size());
+  map.transmittances.reserve(map.bricks.room());
   // Run 0 is before all hair; then bricks along the light, and one more where the modulo comes
   // round.
   map.lightIn.resize((static_cast<std::size_t>(perAxis.x) + 2) * across);
