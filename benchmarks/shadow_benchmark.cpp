@@ -103,7 +103,7 @@ BENCHMARK_CAPTURE(wholePass, paper, Deposit::Points, Filter::Paper)
     ->Arg(2)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK_CAPTURE(wholePass, defaults, Deposit::Segments, Filter::Centred)
+BENCHMARK_CAPTURE(wholePass, defaults, Deposit::Columns, Filter::Centred)
     ->Arg(1)
     ->Arg(2)
     ->Unit(benchmark::kMillisecond)

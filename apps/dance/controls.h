@@ -35,7 +35,7 @@ struct Controls {
   struct Shadow {
     ShadowView view = ShadowView::On;
     int cells = 128;
-    Deposit deposit = Deposit::Segments;
+    Deposit deposit = Deposit::Columns;
     Filter filter = Filter::Centred;
     bool operator==(const Shadow&) const = default;
   } shadow;

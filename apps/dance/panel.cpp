@@ -145,10 +145,14 @@ void drawShadow(Controls& c, const Readout& r) {
               {{32, "32"}, {64, "64"}, {128, "128"}, {256, "256"}, {512, "512"}});
   choose<Deposit>("deposit", c.shadow.deposit,
                   {{Deposit::Points, "points (paper)"},
+                   {Deposit::Columns, "columns"},
                    {Deposit::Segments, "segments"},
                    {Deposit::Trilinear, "trilinear"}});
   choose<Filter>("filter", c.shadow.filter,
-                 {{Filter::None, "none"}, {Filter::Paper, "paper"}, {Filter::Centred, "centred"}});
+                 {{Filter::None, "none"},
+                  {Filter::Paper, "paper"},
+                  {Filter::Centred, "centred"},
+                  {Filter::Footprint, "over two cells"}});
   ImGui::Text("a cell measures %.1f mm", 1000 * static_cast<double>(r.cellSize));
   ImGui::Checkbox("head and body shadow the hair", &c.headShadowsHair);
 }

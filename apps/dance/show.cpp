@@ -81,6 +81,7 @@ void Show::apply(const Controls& c) {
     settings.map.cellSize = mapExtent_ / static_cast<float>(c.shadow.cells);
     settings.map.deposit = c.shadow.deposit;
     settings.map.filter = c.shadow.filter;
+    settings.map.footprint = 2 * settings.map.cellSize;
     performance.relight();
   }
   applied_ = c;

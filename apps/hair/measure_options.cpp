@@ -15,7 +15,7 @@ void addMeasure(CLI::App& app, Run& run, const std::string& commandLine) {
   command
       ->add_option("--width", options->width,
                    "of a strand, metres; default: the file's thickness or 80e-6, or the style's "
-                   "hair width times the hairs a strand stands for")
+                   "hair width times the hairs a strand stands for (3 of 33500 strands)")
       ->check(within(1e-7, 0.1));
   command
       ->add_option("--alpha", options->alpha, "how opaque a strand is; default 0.6, or the style's")

@@ -14,6 +14,9 @@ namespace {
 constexpr float kHairWidth = 80e-6f;
 // Many files state a thickness in no unit at all; nothing thicker than this is hair or yarn.
 constexpr float kThickest = 2e-3f;
+// Of a built-in style: ten times what is drawn, so that fibres, each of a few hairs, are thinner
+// than the footprints that shadows are measured over.
+constexpr std::uint32_t kStyleStrands = 33'500;
 
 float medianOf(std::vector<float> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -70,6 +73,7 @@ MeasuredHair fromFile(const MeasureOptions& options) {
 MeasuredHair fromStyle(const MeasureOptions& options) {
   SubjectOptions still = options.subject;
   still.still = true;
+  if (still.strands == 0) still.strands = kStyleStrands;
   const Subject subject(still);
   PerformanceOptions rest;
   rest.settle = 0;
@@ -81,7 +85,10 @@ MeasuredHair fromStyle(const MeasureOptions& options) {
   const StrandView strands = performance.hair.strands();
   hair.strands.points.assign(strands.points.begin(), strands.points.end());
   hair.strands.first.assign(strands.first.begin(), strands.first.end());
+  // The truth's fibre is a tube of all the hairs that a strand stands for.
   hair.fibre = subject.groom.fibre;
+  hair.fibre.width *= hair.fibre.hairsPerStrand;
+  hair.fibre.hairsPerStrand = 1;
   return hair;
 }
 

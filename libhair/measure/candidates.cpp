@@ -35,15 +35,6 @@ class List {
   std::set<std::string> labels_;
 };
 
-// The longest side of the hair's box in the light's axes: metres, at a point light's pivot.
-float extentSeen(StrandView strands, const LightSpace& light) {
-  const CellFrame frame = makeCellFrame(light, glm::vec3(0), 1.0f, 2);
-  Bounds box;
-  for (const glm::vec3 p : strands.points) box.extend(frame.cellCoordinates(p));
-  const glm::vec3 size = box.size();
-  return strands.pointCount() > 0 ? std::max({size.x, size.y, size.z, 1e-3f}) : 1.0f;
-}
-
 DensityMapSettings densityMap(float cellSize, float extent, Deposit deposit, Filter filter) {
   // Hair that begins in the middle of a cell needs one more.
   DensityMapSettings settings = settingsForFootprint(cellSize, extent + 2 * cellSize, kMostCells);
@@ -56,7 +47,7 @@ DensityMapSettings footprintMap(float cellSize, float footprint, float extent) {
   // The filter reads beyond the hair, and must not meet its other side there.
   const float reach = 2 * (footprint + cellSize);
   DensityMapSettings settings =
-      densityMap(cellSize, extent + reach, Deposit::Segments, Filter::Footprint);
+      densityMap(cellSize, extent + reach, Deposit::Columns, Filter::Footprint);
   settings.footprint = footprint;
   return settings;
 }
@@ -76,11 +67,12 @@ void addDensityMaps(float footprint, float extent, CandidateSet set, List& list)
   paper.filter = Filter::Centred;
   list.add(paper);
   list.add(densityMap(footprint, extent, Deposit::Points, Filter::Paper));
-  list.add(densityMap(footprint, extent, Deposit::Segments, Filter::None));
-  list.add(densityMap(footprint, extent, Deposit::Segments, Filter::Paper));
-  for (const float part : {2.0f / 3, 1.0f, 1.5f, 2.0f})
-    list.add(densityMap(part * footprint, extent, Deposit::Segments, Filter::Centred));
-  for (const float part : {0.5f, 2.0f / 3, 1.0f, 1.5f, 2.0f, 3.0f})
+  list.add(densityMap(footprint, extent, Deposit::Columns, Filter::None));
+  list.add(densityMap(footprint, extent, Deposit::Columns, Filter::Paper));
+  for (const float part : {2.0f / 3, 1.0f, 1.5f, 2.0f, 3.0f, 5.0f})
+    list.add(densityMap(part * footprint, extent, Deposit::Columns, Filter::Centred));
+  list.add(densityMap(footprint, extent, Deposit::Segments, Filter::Centred));
+  for (const float part : {2.0f / 3, 1.0f, 1.5f})
     list.add(densityMap(part * footprint, extent, Deposit::Trilinear, Filter::Centred));
   for (const float part : {1.0f / 3, 0.5f, 2.0f / 3, 1.0f})
     list.add(footprintMap(part * footprint, footprint, extent));
@@ -208,7 +200,7 @@ std::vector<ShadowCandidate> shadowCandidates(StrandView strands, const LightSpa
                                               float footprint, CandidateSet set) {
   require(std::isfinite(footprint) && footprint > 0, "shadow footprint: ", footprint,
           " m is not positive; set --footprint");
-  const float extent = extentSeen(strands, light);
+  const float extent = std::max(extentSeen(strands, light), 1e-3f);
   List list;
   list.add("auto", "auto", automaticMapSettings(strands, light, footprint));
   addDensityMaps(footprint, extent, set, list);

@@ -11,15 +11,20 @@ namespace {
 constexpr int kMostCells = 1024;
 }
 
-DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& light,
-                                        float footprint) {
-  require(footprint > 0 && std::isfinite(footprint), "shadow footprint: ", footprint,
-          " m is not positive; set --footprint");
+float extentSeen(StrandView strands, const LightSpace& light) {
+  if (strands.pointCount() == 0) return 0;
   const CellFrame frame = makeCellFrame(light, glm::vec3(0), 1.0f, 2);
   Bounds box;
   for (const glm::vec3 p : strands.points) box.extend(frame.cellCoordinates(p));
   const glm::vec3 size = box.size();
-  const float extent = std::max({size.x, size.y, size.z, footprint});
+  return std::max({size.x, size.y, size.z});
+}
+
+DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& light,
+                                        float footprint) {
+  require(footprint > 0 && std::isfinite(footprint), "shadow footprint: ", footprint,
+          " m is not positive; set --footprint");
+  const float extent = std::max(extentSeen(strands, light), footprint);
   DensityMapSettings settings;
   settings.filter = Filter::Footprint;
   settings.footprint = footprint;

@@ -6,6 +6,10 @@
 
 namespace hair {
 
+/// The longest side of the hair's box as a map under that light has it: metres (at the pivot of a
+/// light at a point). 0 for no hair.
+float extentSeen(StrandView strands, const LightSpace& light);
+
 /// Settings of the density map for shadows averaged over a disc of radius `footprint` (metres, >
 /// 0), as measurement chose them (docs/accuracy.md). Reads the strands' extent under that light.
 DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& light,

@@ -124,15 +124,48 @@ void depositPoints(std::span<const glm::vec3> points, std::uint32_t count, const
            [&](glm::vec3, glm::ivec3 cell) { writer.add(cell, count); });
 }
 
+/// As depositSegment, but cut only where the segment leaves a column of cells; a piece is left
+/// whole in the cell of its middle. A piece that is long in depth covers little of its column.
+template <class Writer>
+void depositColumns(glm::vec3 a, glm::vec3 b, std::uint32_t count, glm::ivec3 cell, glm::ivec3 last,
+                    Writer& writer) {
+  AxisWalk y(a.y, b.y, cell.y, last.y), z(a.z, b.z, cell.z, last.z);
+  const auto whole = static_cast<float>(count);
+  const float middle = 0.5f * (b.x - a.x);
+  // Between the two nearest slices, so that nothing jumps as hair or light move.
+  const auto leave = [&](glm::ivec3 in, float depth, std::uint32_t amount) {
+    const float x = depth - 0.5f;
+    in.x = floorToInt(x);
+    const std::uint32_t far =
+        std::min(toCount(static_cast<float>(amount) * (x - static_cast<float>(in.x))), amount);
+    writer.add(in, amount - far);
+    ++in.x;
+    writer.add(in, far);
+  };
+  float behind = 0;
+  std::uint32_t left = 0;
+  for (int walls = y.left + z.left; walls > 0; --walls) {
+    const float wall = std::min(std::max(std::min(y.next, z.next), behind), 1.0f);
+    const std::uint32_t reached = std::min(std::max(toCount(whole * wall), left), count);
+    leave(cell, a.x + middle * (behind + wall), reached - left);
+    left = reached;
+    behind = wall;
+    const bool alongY = y.next <= z.next;
+    y.cross(alongY, cell.y);
+    z.cross(!alongY, cell.z);
+  }
+  leave(cell, a.x + middle * (behind + 1), count - left);
+}
+
 template <class Writer>
 void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, float longest,
-                     const CellFrame& frame, Writer& writer) {
+                     bool wholeColumns, const CellFrame& frame, Writer& writer) {
   glm::vec3 a(0);
   glm::ivec3 at(0);
   std::uint32_t pending = 0;
   Rounder rounder;
   bool first = true;
-  forCells(points, 0.0f, frame, writer, [&](glm::vec3 b, glm::ivec3 cell) {
+  forCells(points, wholeColumns ? 0.5f : 0.0f, frame, writer, [&](glm::vec3 b, glm::ivec3 cell) {
     const glm::vec3 d = b - a;
     if (first) {
       at = cell;
@@ -142,6 +175,9 @@ void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, floa
       writer.add(at, addSaturating(pending, rounder.take(scale.amount(a, b))));
       pending = 0;
       at = cell;
+    } else if (wholeColumns) {
+      depositColumns(a, b, rounder.take(scale.amount(a, b)), at, cell, writer);
+      at = cell;
     } else {
       depositSegment(a, b, rounder.take(scale.amount(a, b)), at, cell, pending, writer);
     }
@@ -150,46 +186,24 @@ void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, floa
   writer.add(at, pending);
 }
 
-/// One piece of a segment for each cell that it advances along its fastest axis, left whole in the
-/// cell of its middle. Calls visit(a, d, pieces, amount) for each segment a to a + d.
-template <class Writer, class Visit>
-void forPieces(std::span<const glm::vec3> points, float margin, SegmentScale scale, float longest,
-               const CellFrame& frame, Writer& writer, Visit&& visit) {
-  glm::vec3 a(0);
-  bool first = true;
-  forCells(points, margin, frame, writer, [&](glm::vec3 b, glm::ivec3) {
-    const glm::vec3 d = b - a;
-    const float way = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    if (!first) visit(a, d, static_cast<int>(std::min(way, longest)) + 1, scale.amount(a, b));
-    a = b;
-    first = false;
-  });
-}
-
-template <class Writer>
-void depositSamples(std::span<const glm::vec3> points, SegmentScale scale, float longest,
-                    const CellFrame& frame, Writer& writer) {
-  Rounder rounder;
-  const auto visit = [&](glm::vec3 a, glm::vec3 d, int pieces, float amount) {
-    const std::uint32_t count = rounder.take(amount), n = static_cast<std::uint32_t>(pieces);
-    const std::uint32_t each = count / n, more = count % n;
-    const glm::vec3 step = d * (1.0f / static_cast<float>(pieces)), middle = a + 0.5f * step;
-    for (std::uint32_t s = 0; s < n; ++s)
-      writer.add(floorToCell(middle + static_cast<float>(s) * step), each + (s < more ? 1 : 0));
-  };
-  forPieces(points, 0.0f, scale, longest, frame, writer, visit);
-}
-
 template <class Writer>
 void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, float longest,
                       const CellFrame& frame, Writer& writer) {
+  glm::vec3 a(0);
   Rounder rounder;
-  const auto visit = [&](glm::vec3 a, glm::vec3 d, int pieces, float amount) {
-    const float each = 1.0f / static_cast<float>(pieces);
-    for (int s = 0; s < pieces; ++s)
-      spread(a + d * ((static_cast<float>(s) + 0.5f) * each), rounder.take(amount * each), writer);
-  };
-  forPieces(points, 0.5f, scale, longest, frame, writer, visit);
+  bool first = true;
+  forCells(points, 0.5f, frame, writer, [&](glm::vec3 b, glm::ivec3) {
+    const glm::vec3 d = b - a;
+    // One sample a cell: the spread is as wide as that.
+    const float way = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    const int samples = first ? 0 : static_cast<int>(std::min(way, longest)) + 1;
+    const float each = 1.0f / static_cast<float>(std::max(samples, 1));
+    for (int s = 0; s < samples; ++s)
+      spread(a + d * ((static_cast<float>(s) + 0.5f) * each),
+             rounder.take(scale.amount(a, b) * each), writer);
+    a = b;
+    first = false;
+  });
 }
 
 /// Length of hair that a point stands for: the mean over at most 256 strands in a fixed order.
@@ -238,11 +252,10 @@ void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t 
         case Deposit::Points:
           depositPoints(points, stride, frame, writer);
           break;
-        case Deposit::Samples:
-          depositSamples(points, scale, longest, frame, writer);
-          break;
         case Deposit::Segments:
-          depositSegments(points, scale, longest, frame, writer);
+        case Deposit::Columns:
+          depositSegments(points, scale, longest, settings.deposit == Deposit::Columns, frame,
+                          writer);
           break;
         case Deposit::Trilinear:
           depositTrilinear(points, scale, longest, frame, writer);

@@ -11,7 +11,8 @@ namespace hair {
 
 /// Transmittance at points (Bertails et al. 2005, section 3.3), with map.settings.filter. The
 /// points need not be hair: a head or the ground is shadowed by the hair in the same way. Exactly 1
-/// in front of all hair, beside it, and everywhere in an empty map.
+/// in front of all hair and beside it, out of the reach of deposit and filter (one or two cells, or
+/// the footprint), and everywhere in an empty map.
 /// `out`: [points.size()], in [0, 1].
 void sampleTransmittance(const DensityMap& map, std::span<const glm::vec3> points,
                          std::span<float> out);

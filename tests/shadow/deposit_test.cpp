@@ -52,7 +52,7 @@ TEST(Deposit, ConservesOpticalDepthAndLength) {
   const StrandSet hair = headOfHair(300, 25);
   const Fibre fibre{80e-6f, 0.5f, 20.0f};
   for (Quantity quantity : {Quantity::OpticalDepth, Quantity::Length})
-    for (Deposit d : {Deposit::Samples, Deposit::Segments, Deposit::Trilinear})
+    for (Deposit d : {Deposit::Columns, Deposit::Segments, Deposit::Trilinear})
       for (glm::vec3 direction : {kSlanted, glm::vec3(0, 1, 0)}) {
         DensityMapSettings settings;
         settings.deposit = d;
@@ -81,6 +81,7 @@ TEST(Deposit, SegmentsLeaveInEachCellWhatLiesInside) {
   settings.cells = 16;
   settings.cellSize = 1.0f;
   settings.quantity = Quantity::Length;
+  settings.deposit = Deposit::Segments;
   DensityMap map;
   clear(map, settings, alongX());
   // 0.5 in cell 0, 1 in cell 1, 0.25 in cell 2 along y; then back into cell 1 by 0.5.
@@ -153,6 +154,7 @@ TEST(Deposit, ReportsSaturationAndNeverWraps) {
   settings.cells = 8;
   settings.cellSize = 1.0f;
   settings.quantity = Quantity::Length;
+  settings.deposit = Deposit::Segments;
   StrandSet hair;
   // 2000 strands of 3 m in one cell, 6000 m: more than the 4096 that fit; a few elsewhere.
   for (int s = 0; s < 2000; ++s)

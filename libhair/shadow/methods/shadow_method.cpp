@@ -29,10 +29,10 @@ const char* name(Deposit deposit) {
   switch (deposit) {
     case Deposit::Points:
       return " points";
-    case Deposit::Samples:
-      return " samples";
-    case Deposit::Segments:
+    case Deposit::Columns:
       return "";
+    case Deposit::Segments:
+      return " segments";
     case Deposit::Trilinear:
       return " trilinear";
   }
