@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,8 @@ struct MeasureOptions {
   std::uint32_t rays = 2048;  ///< a sample point
   std::uint32_t seed = 1;
   std::string methods = "all";  ///< or "quick", or names with hyphens and commas between
+  std::optional<double> maxError;  ///< choose the fastest within it
+  std::optional<double> budgetMs;  ///< choose the most accurate within it, milliseconds
   int repeats = 5;              ///< timed runs of each method and setting
   int flickerSteps = 20;        ///< of 0.1 degree; 0: flicker is not measured
   int threads = 0;
