@@ -152,9 +152,10 @@ void addMeasure(CLI::App& app, Run& run, const std::string& commandLine) {
                       "all (default), quick (each once), or names with commas between: auto, "
                       "density-map, shadow-map, opacity-map, deep-opacity-map, "
                       "density-clustering, deep-shadow-map");
-  command->add_option("--max-error", options->maxError,
-                      "choose the fastest method and settings with at most this mean absolute error, "
-                      "say what is predicted of them and measure them as `chosen`");
+  command->add_option(
+      "--max-error", options->maxError,
+      "choose the fastest method and settings with at most this mean absolute error, "
+      "say what is predicted of them and measure them as `chosen`");
   command->add_option("--budget-ms", options->budgetMs,
                       "choose the most accurate that builds and samples in so many milliseconds; "
                       "with --max-error: a limit of that choice too");

@@ -60,9 +60,8 @@ void printChoice(const ShadowChoice& choice, const std::vector<ShadowTrial>& tri
     if (trial.failed() || trial.candidate.method != kMethod) continue;
     out << "    measured  error " << fixed(trial.error.meanAbsolute.value, 4) << " \xC2\xB1 "
         << fixed(trial.error.meanAbsolute.standardError, 4) << ", build "
-        << fixed(trial.buildMilliseconds, 2) << " ms, sample "
-        << fixed(trial.sampleMilliseconds, 2) << " ms: error "
-        << ratio(trial.error.meanAbsolute.value, p.error.meanAbsolute) << ", time "
+        << fixed(trial.buildMilliseconds, 2) << " ms, sample " << fixed(trial.sampleMilliseconds, 2)
+        << " ms: error " << ratio(trial.error.meanAbsolute.value, p.error.meanAbsolute) << ", time "
         << ratio(trial.milliseconds(), p.time.milliseconds()) << '\n';
   }
   out << '\n';

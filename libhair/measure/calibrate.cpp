@@ -25,9 +25,9 @@ double nanosecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+/// What else a machine does only adds time.
+double least(const std::vector<double>& values) {
+  return *std::min_element(values.begin(), values.end());
 }
 
 /// One way to shadow, timed.
@@ -60,6 +60,7 @@ std::vector<Run> plannedRuns(std::size_t hairs, float extent) {
     add(h, map(cell, Deposit::Trilinear, Filter::Centred, 0));
     add(h, map(h == 0 ? 2e-3f : 7e-3f, Deposit::Trilinear, Filter::Centred, 0));
     add(h, ShadowMapSettings{h == 1 ? 2e-3f : 1e-3f, h == 2 ? 6e-3f : 3e-3f, 1e-3f});
+    add(h, ShadowMapSettings{h == 2 ? 3e-3f : 0.5e-3f, 3e-3f, 1e-3f});
     for (const float pixel : {1.8e-3f, 4.5e-3f}) {
       DeepOpacityMapSettings deep;
       deep.pixelSize = pixel;
@@ -162,7 +163,7 @@ MachineCosts calibrate(StrandView strands, const Fibre& fibre, int repeats) {
       const CostStages stages = costStages(run.settings);
       if (stages.build != stage && stages.sample != stage) continue;
       terms.push_back(costTerms(stage, features[run.hair], run.settings));
-      time.push_back(median(stages.build == stage ? run.build : run.sample));
+      time.push_back(least(stages.build == stage ? run.build : run.sample));
     }
     machine.nanoseconds[s] = fit(terms, time);
   }

@@ -46,9 +46,9 @@ std::vector<ShadowCandidate> choiceCandidates(StrandView strands, const LightSpa
 
 /// Among predictions: with a limit of errors the fastest that keeps it (and that of time, if there
 /// is one); with a limit of time alone the most accurate. So a larger limit of errors never costs
-/// more predicted time, and a larger limit of time never predicts a larger error. Throws Error where
-/// a limit is not positive, both are infinite, or none of the predictions keeps them: it says what
-/// is nearest, and what to change.
+/// more predicted time, and a larger limit of time never predicts a larger error. Throws Error
+/// where a limit is not positive, both are infinite, or none of the predictions keeps them: it says
+/// what is nearest, and what to change.
 ShadowChoice chooseAmong(const std::vector<PredictedShadow>& predictions,
                          const ShadowBudget& budget);
 

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kBrick = 8;  // cells along an axis
 
-double log2Of(double x) { return std::log2(1 + x); }
+double log2Of(double x) {
+  return std::log2(1 + x);
+}
 
 CostTerms mapBuild(CostStage stage, const HairFeatures& hair, const DensityMapSettings& s) {
   const double cell = static_cast<double>(s.cellSize);
@@ -44,7 +46,8 @@ CostTerms mapSample(const HairFeatures& hair, const DensityMapSettings& s) {
     reads = across * std::max(1.0, (across - 1) / kLanes + 0.5);
   }
   return {hair.points, hair.points * reads, hair.points * log2Of(megabytes),
-          hair.points * reads * log2Of(megabytes), 0};
+          hair.points * reads * log2Of(megabytes),
+          hair.points * hair.coldShare * log2Of(megabytes)};
 }
 
 struct ImageShape {
@@ -74,7 +77,7 @@ CostTerms listsBuild(const HairFeatures& hair, float pixelSize, double clusters)
 
 struct Stages {
   CostStages operator()(const DensityMapSettings& s) const {
-    const CostStage build = s.deposit == Deposit::Points       ? CostStage::DepositPoints
+    const CostStage build = s.deposit == Deposit::Points      ? CostStage::DepositPoints
                             : s.deposit == Deposit::Trilinear ? CostStage::DepositTrilinear
                                                               : CostStage::DepositSegments;
     return {build,
@@ -108,8 +111,8 @@ struct Terms {
   CostTerms operator()(const ShadowMapSettings& s) const {
     if (build) return imageBuild(hair, s.pixelSize, 1);
     const double radius = static_cast<double>(s.filterRadius / s.pixelSize);
-    return {hair.points, hair.points * (2 * radius + 1), hair.points * 3.14159 * radius * radius,
-            0, 0};
+    return {hair.points, hair.points * (2 * radius + 1), hair.points * 3.14159 * radius * radius, 0,
+            0};
   }
   CostTerms operator()(const OpacityMapSettings& s) const {
     return build ? imageBuild(hair, s.pixelSize, s.slices) : sampleWords(s.pixelSize, s.slices);
@@ -174,12 +177,21 @@ PredictedTime predictTime(const MachineCosts& machine, const HairFeatures& hair,
 }
 
 std::string costText(const MachineCosts& machine) {
-  static constexpr const char* kNames[kCostStages] = {
-      "density map points build",    "density map segments build", "density map trilinear build",
-      "density map cells sample",    "density map footprint sample", "shadow map build",
-      "shadow map sample",           "opacity map build",          "opacity map sample",
-      "deep opacity map build",      "deep opacity map sample",    "density clustering build",
-      "density clustering sample",   "deep shadow map build",      "deep shadow map sample"};
+  static constexpr const char* kNames[kCostStages] = {"density map points build",
+                                                      "density map segments build",
+                                                      "density map trilinear build",
+                                                      "density map cells sample",
+                                                      "density map footprint sample",
+                                                      "shadow map build",
+                                                      "shadow map sample",
+                                                      "opacity map build",
+                                                      "opacity map sample",
+                                                      "deep opacity map build",
+                                                      "deep opacity map sample",
+                                                      "density clustering build",
+                                                      "density clustering sample",
+                                                      "deep shadow map build",
+                                                      "deep shadow map sample"};
   std::ostringstream out;
   for (std::size_t s = 0; s < kCostStages; ++s) {
     out << kNames[s] << ':';

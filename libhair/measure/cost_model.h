@@ -13,10 +13,10 @@ namespace hair {
 
 /// The stages of shadow methods whose time is predicted, each with coefficients of its own.
 enum class CostStage {
-  DepositPoints,     ///< density map, whole build with that deposit
+  DepositPoints,  ///< density map, whole build with that deposit
   DepositSegments,
   DepositTrilinear,
-  SampleCells,       ///< density map, filters of one or eight cells
+  SampleCells,  ///< density map, filters of one or eight cells
   SampleFootprint,
   ShadowMapBuild,
   ShadowMapSample,
@@ -75,8 +75,8 @@ PredictedTime predictTime(const MachineCosts& machine, const HairFeatures& hair,
 
 /// Times every stage on hair (nothing less than some thousand strands tells stages apart), under a
 /// slanting light, with threadCount() threads: all points and every other one, at several
-/// resolutions, `repeats` (>= 1) rounds, medians. Coefficients are the least sum of squared relative
-/// errors of coefficients that are not negative.
+/// resolutions, the least of `repeats` (>= 1) rounds. Coefficients are the least sum of squared
+/// relative errors of coefficients that are not negative.
 MachineCosts calibrate(StrandView strands, const Fibre& fibre, int repeats = 3);
 /// On the built-in smooth style; seconds.
 MachineCosts calibrate();

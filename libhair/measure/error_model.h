@@ -53,7 +53,7 @@ class ErrorPilot {
   Fibre fibre_;
   LightSpace light_;
   std::vector<SamplePoint> points_;
-  Truth first_, second_;       // of a half of the rays each
+  Truth first_, second_;  // of a half of the rays each
   Truth both_;
   std::vector<float> all_, measured_;  // scratch: at all points, and at points_
 };

@@ -8,9 +8,9 @@ namespace hair {
 
 namespace {
 
-constexpr int kFinest = 128;             // boxes along an axis
+constexpr int kFinest = 128;               // boxes along an axis
 constexpr std::uint32_t kRemembered = 64;  // strands that caches hold, roughly
-constexpr double kMostSteps = 4e6;       // of the walk; beyond that strands are left out
+constexpr double kMostSteps = 4e6;         // of the walk; beyond that strands are left out
 
 /// Which boxes of a grid of n^3 or n^2 hold something.
 class Marks {
@@ -21,7 +21,9 @@ class Marks {
     marked_.resize(size);
   }
   void mark(int a, int b, int c) { marked_[index(a, b, c)] = 1; }
-  double count() const { return static_cast<double>(std::count(marked_.begin(), marked_.end(), 1)); }
+  double count() const {
+    return static_cast<double>(std::count(marked_.begin(), marked_.end(), 1));
+  }
   /// Of boxes twice as large.
   Marks halved() const {
     Marks half(n_ / 2, dimensions_);
@@ -76,7 +78,8 @@ HairFeatures hairFeatures(StrandView strands, const LightSpace& light) {
   const CellFrame frame = makeCellFrame(light, glm::vec3(0), 1.0f, 2);
   std::vector<glm::vec3> at(strands.pointCount());
   Bounds box;
-  for (std::size_t p = 0; p < at.size(); ++p) box.extend(at[p] = frame.cellCoordinates(strands.points[p]));
+  for (std::size_t p = 0; p < at.size(); ++p)
+    box.extend(at[p] = frame.cellCoordinates(strands.points[p]));
   hair.size = box.size();
   for (std::size_t s = 0; s < strands.strandCount(); ++s)
     for (std::size_t p = strands.first[s] + 1; p < strands.first[s + 1]; ++p) {
@@ -101,8 +104,8 @@ HairFeatures hairFeatures(StrandView strands, const LightSpace& light) {
     ++walked;
     for (std::size_t p = strands.first[s]; p + 1 < strands.first[s + 1]; ++p) {
       const glm::vec3 a = at[p] - box.lower, d = at[p + 1] - at[p];
-      const double longest = static_cast<double>(
-          std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}));
+      const double longest =
+          static_cast<double>(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}));
       const int parts = 1 + static_cast<int>(longest / side);
       for (int k = 0; k < parts; ++k) {
         const glm::vec3 u = a + d * ((static_cast<float>(k) + 0.5f) / static_cast<float>(parts));
@@ -110,9 +113,9 @@ HairFeatures hairFeatures(StrandView strands, const LightSpace& light) {
         boxes.mark(y, z, x);
         rows.mark(x, z, 0);
         pixels.mark(y, z, 0);
-        std::uint32_t& stamp = last[(static_cast<std::size_t>(x) * kFinest +
-                                     static_cast<std::size_t>(z)) * kFinest +
-                                    static_cast<std::size_t>(y)];
+        std::uint32_t& stamp =
+            last[(static_cast<std::size_t>(x) * kFinest + static_cast<std::size_t>(z)) * kFinest +
+                 static_cast<std::size_t>(y)];
         if (stamp != walked) {
           entered += 1;
           cold += stamp == 0 || walked - stamp > kRemembered / stride ? 1 : 0;

@@ -11,12 +11,13 @@
 namespace hair {
 
 /// What the time to shadow hair depends on, as seen from its light: x along it, y and z across.
-/// Lengths in metres; under a light at a point those of its mapping (CellFrame), which are metres at
-/// the pivot.
+/// Lengths in metres; under a light at a point those of its mapping (CellFrame), which are metres
+/// at the pivot.
 struct HairFeatures {
   double strands = 0, points = 0, segments = 0;
   glm::dvec3 size{0};  ///< of the hair's box
-  glm::dvec3 way{0};   ///< sum over segments of |dx|, |dy|, |dz|: walls crossed, times their distance
+  glm::dvec3 way{
+      0};  ///< sum over segments of |dx|, |dy|, |dz|: walls crossed, times their distance
   double longestWay = 0;  ///< sum over segments of the largest of the three
 
   /// Share of the boxes that strands enter into which none of the strands shortly before them in
