@@ -45,9 +45,9 @@ std::string describe(const PredictedShadow& shadow) {
 }
 
 [[noreturn]] void failOnTime(const PredictedShadow& fastest, double limit) {
-  throw Error(text("--budget-ms ", limit, ": nothing is that fast here; the fastest, ",
-                   fastest.candidate.label, ", is predicted to take ", fastest.time.milliseconds(),
-                   " ms; raise --budget-ms to that, or take fewer strands or points"));
+  throw Error(text("--budget-ms ", limit, ": nothing is that fast here; the nearest is ",
+                   fastest.candidate.label, "; raise --budget-ms to ", fastest.time.milliseconds(),
+                   ", or take fewer strands or points"));
 }
 
 [[noreturn]] void failOnError(const PredictedShadow& nearest, const ShadowBudget& budget) {
@@ -166,7 +166,8 @@ ShadowChoice chooseShadow(StrandView strands, const Fibre& fibre, const LightSpa
   }
   require(!predicted.empty(), "choice of shadows: nothing can shadow this hair; ", failure);
   ShadowChoice choice = chooseAmong(predicted, budget);
-  choice.reason += text("; error predicted from ", pilot.pointCount(), " points");
+  choice.reason +=
+      text("; error predicted from ", pilot.pointCount(), " points x ", pilot.rays(), " rays");
   return choice;
 }
 

@@ -11,9 +11,15 @@
 
 namespace hair {
 
+/// Most of a prediction's standard error is the choice of points: errors have long tails. Rays are
+/// as many as it takes to tell errors from noise: broad fibres need few, and their rays are slow.
 struct PilotSettings {
-  std::uint32_t points = 600;  ///< >= 8; fewer where the hair has fewer
-  std::uint32_t rays = 512;    ///< a point, >= 8, in two halves that are independent
+  std::uint32_t points = 2400;    ///< >= 8; fewer where the hair has fewer
+  std::uint32_t leastRays = 128;  ///< a point, >= 8, in two halves that are independent
+  std::uint32_t mostRays = 2048;  ///< >= leastRays
+  /// Rays become four times as many until this is left of the truth's noise (root mean square), or
+  /// until they are as many as may be.
+  float noise = 4e-3f;
   std::uint32_t seed = 0x9107u;
 };
 
@@ -27,14 +33,13 @@ struct PredictedError {
 /// Few exact points of this hair, against which any settings can be tried at the cost of one build.
 ///
 /// The truth of few rays is noisy, and noise on top of an error makes its absolute value larger on
-/// average. Two halves of the rays, T1 and T2, are independent: the mean of (m - T1)(m - T2) is the
-/// mean square of the error alone, without any bias. The mean absolute error against both halves
-/// together is scaled by the root of that over the mean square with noise:
+/// average. What the two halves of the rays, T1 and T2, say alone has twice the variance of the
+/// noise of T = (T1 + T2) / 2; in a straight line from there to no noise at all:
 ///
-///   mean|m - T| · sqrt( mean (m - T1)(m - T2) / mean (m - T)² ),   T = (T1 + T2) / 2
+///   mean|m - T| - ( mean(|m - T1| + |m - T2|) / 2 - mean|m - T| )
 ///
-/// exact where errors and noise have one shape of distribution; the noise is a few percent of what
-/// is left to correct.
+/// (Cook and Stefanski 1994, "Simulation-Extrapolation Estimation in Parametric Measurement Error
+/// Models", with noise that is there anyway.) Exact for noise far below the error.
 class ErrorPilot {
  public:
   /// `footprint`: metres, > 0. The strands must outlive the pilot. Throws Error for settings out of
@@ -47,6 +52,7 @@ class ErrorPilot {
   PredictedError predict(const ShadowSettings& settings);
 
   std::size_t pointCount() const { return points_.size(); }
+  std::uint32_t rays() const { return rays_; }  ///< a point, both halves
 
  private:
   StrandView strands_;
@@ -55,6 +61,7 @@ class ErrorPilot {
   std::vector<SamplePoint> points_;
   Truth first_, second_;  // of a half of the rays each
   Truth both_;
+  std::uint32_t rays_ = 0;
   std::vector<float> all_, measured_;  // scratch: at all points, and at points_
 };
 
