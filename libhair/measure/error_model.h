@@ -14,12 +14,12 @@ namespace hair {
 /// Most of a prediction's standard error is the choice of points: errors have long tails. Rays are
 /// as many as it takes to tell errors from noise: broad fibres need few, and their rays are slow.
 struct PilotSettings {
-  std::uint32_t points = 2400;    ///< >= 8; fewer where the hair has fewer
-  std::uint32_t leastRays = 128;  ///< a point, >= 8, in two halves that are independent
-  std::uint32_t mostRays = 2048;  ///< >= leastRays
+  std::uint32_t points = 5000;    ///< >= 8; fewer where the hair has fewer
+  std::uint32_t leastRays = 64;   ///< a point, >= 8, in two halves that are independent
+  std::uint32_t mostRays = 1024;  ///< >= leastRays
   /// Rays become four times as many until this is left of the truth's noise (root mean square), or
   /// until they are as many as may be.
-  float noise = 4e-3f;
+  float noise = 5e-3f;
   std::uint32_t seed = 0x9107u;
 };
 

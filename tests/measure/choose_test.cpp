@@ -89,8 +89,8 @@ TEST(ErrorPilot, PredictsErrorsOnCurls) {
 TEST(ErrorPilot, PredictsErrorsOnStraightHair) {
   const std::filesystem::path file = std::filesystem::path(HAIR_DATA_DIR) / "hair/straight.hair";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "real data not found at " << file;
-  expectErrorsWithin25Percent({readStrands(file, {.scale = 0.00465f}).strands, {0.465e-3f, 0.64f, 1}},
-                              1024);
+  expectErrorsWithin25Percent(
+      {readStrands(file, {.scale = 0.00465f}).strands, {0.465e-3f, 0.64f, 1}}, 1024);
 }
 
 TEST(ErrorPilot, PredictsErrorsOfThinFibres) {
@@ -102,8 +102,8 @@ TEST(ErrorPilot, PredictsErrorsOfThinFibres) {
 
 TEST(ErrorPilot, FewRaysDoNotSeemLikeErrors) {
   const Subject hair{hangingHair(2000), {.width = 0.3e-3f, .opacity = 0.6f, .hairsPerStrand = 1}};
-  const DensityMapSettings settings =
-      std::get<DensityMapSettings>(choiceCandidates(hair.strands, kLight, kFootprint).back().settings);
+  const DensityMapSettings settings = std::get<DensityMapSettings>(
+      choiceCandidates(hair.strands, kLight, kFootprint).back().settings);
   PilotSettings few, many;
   few.noise = many.noise = 0;
   few.leastRays = few.mostRays = 64;
@@ -117,7 +117,8 @@ TEST(ErrorPilot, FewRaysDoNotSeemLikeErrors) {
 
 TEST(ErrorPilot, StandardErrorsAreThoseOfOtherPoints) {
   const Subject hair{hangingHair(2000), broadFibre()};
-  const ShadowSettings settings = choiceCandidates(hair.strands, kLight, kFootprint).back().settings;
+  const ShadowSettings settings =
+      choiceCandidates(hair.strands, kLight, kFootprint).back().settings;
   PilotSettings pilot;
   pilot.points = 200;
   std::vector<double> errors;
@@ -155,7 +156,8 @@ TEST(CostModel, OccupiedBoxesFollowTheirSize) {
   EXPECT_NEAR(hair.boxes.at(1e-3) / hair.boxes.at(2e-3), 2, 0.1);
   EXPECT_NEAR(hair.rows.at(1e-3) / hair.rows.at(4e-3), 4, 0.4);
   EXPECT_EQ(hair.coldShare, 1);
-  for (int again = 0; again < 3; ++again) line.append(std::vector<glm::vec3>(line.strand(0).begin(), line.strand(0).end()));
+  for (int again = 0; again < 3; ++again)
+    line.append(std::vector<glm::vec3>(line.strand(0).begin(), line.strand(0).end()));
   EXPECT_NEAR(hairFeatures(line, makeLightSpace({1, 0, 0})).coldShare, 0.25, 0.01);
 }
 
