@@ -54,7 +54,8 @@ Measured measure(Style style, int frames) {
     };
     const StrandView strands = performance.hair.strands();
     const auto start = Clock::now();
-    literal::fillDensity(strands.points, makeLightSpace(performance.settings.light.direction), map);
+    literal::fillDensity(strands.points,
+                         makeLightSpace(performance.settings.lights.front().direction), map);
     const auto filled = Clock::now();
     literal::computeTransmittance(map);
     const auto walked = Clock::now();

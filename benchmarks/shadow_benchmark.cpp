@@ -2,6 +2,8 @@
 // 3,226 strands, 100 K segments, in the volume of a head of hair. Argument: threads, then the
 // deposit or filter (in the order of their enums).
 
+#include <cmath>
+
 #include <benchmark/benchmark.h>
 
 #include <libhair/core/parallel.h>
@@ -151,13 +153,44 @@ void shade(benchmark::State& state) {
   const ThreadLimit limit(threads(state));
   const std::vector<float> t(scene().pointCount(), 0.5f);
   std::vector<std::uint32_t> out(scene().pointCount());
-  const ShadeLight light{glm::normalize(kLight), glm::vec3(1), {0, 0, 1}};
+  const Light light = Light::parallel(kLight);
   for (auto _ : state)
-    shadeKajiyaKay(scene(), t, {}, light,
+    shadeKajiyaKay(scene(), {{&light, 1}, glm::vec3(0), {0, 0, 1}, t, {}},
                    state.range(1) ? KajiyaKaySettings() : KajiyaKaySettings::plain(), out);
   done(state);
 }
 BENCHMARK(shade)->ArgsProduct({{1, 2}, {0, 1}})->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// Shadows and colours under several lights, each with its map: the time goes with their number.
+// Second argument: lights; third: 0 parallel, 1 at points.
+void lights(benchmark::State& state) {
+  const ThreadLimit limit(threads(state));
+  const std::size_t n = scene().pointCount(), count = static_cast<std::size_t>(state.range(1));
+  const glm::vec3 pivot(0);
+  std::vector<Light> all;
+  for (std::size_t l = 0; l < count; ++l) {
+    const float a = 1.5708f * static_cast<float>(l);
+    const glm::vec3 way = glm::normalize(glm::vec3(std::sin(a), -0.8f, std::cos(a)));
+    all.push_back(state.range(2) ? Light::point(pivot - 1.5f * way) : Light::parallel(way));
+  }
+  std::vector<DensityMap> maps(count);
+  std::vector<float> t(count * n);
+  std::vector<std::uint32_t> out(n);
+  for (auto _ : state) {
+    for (std::size_t l = 0; l < count; ++l) {
+      clear(maps[l], {}, lightSpaceOf(all[l], pivot));
+      deposit(scene(), {}, maps[l]);
+      computeTransmittance(maps[l]);
+      sampleTransmittance(maps[l], scene().points, std::span(t).subspan(l * n, n));
+    }
+    shadeKajiyaKay(scene(), {all, pivot, {0, 0, 1}, t, {}}, KajiyaKaySettings(), out);
+  }
+  done(state);
+}
+BENCHMARK(lights)
+    ->ArgsProduct({{1, 2}, {1, 2, 4}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace hair

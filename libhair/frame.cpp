@@ -6,6 +6,7 @@
 #include <libhair/core/error.h>
 #include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
+#include <libhair/shadow/occlude.h>
 #include <libhair/shadow/transmittance.h>
 
 namespace hair {
@@ -24,6 +25,7 @@ Hair::Hair(const Groom& groom_, const FrameSettings& settings, const BodyState& 
       head(head_),
       guides(groom_, settings.guides, body.worldFromHead, head_),
       wisps(groom_, guides, wispSettings, head_),
+      worldFromHead(body.worldFromHead),
       capsules(body.capsules.begin(), body.capsules.end()) {
   if (settings.selfCollision)
     allowRestDensity(strands(), groom->fibre, guides, settings.repulsion, repulsion);
@@ -51,33 +53,41 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
     measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
     repel(hair.guides, settings.repulsion, hair.repulsion);
   }
+  hair.worldFromHead = body.worldFromHead;
   hair.capsules.assign(body.capsules.begin(), body.capsules.end());
   hair.time += seconds;
   light(settings, hair, profile);
 }
 
 void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
-  const auto points = static_cast<std::int64_t>(hair.wisps.points.size());
-  hair.transmittance.resize(settings.shadow ? hair.wisps.points.size() : 0);
-  if (settings.shadow) {
+  const std::size_t pointCount = hair.wisps.points.size();
+  const auto points = static_cast<std::int64_t>(pointCount);
+  hair.maps.resize(settings.shadow ? settings.lights.size() : 0);
+  hair.transmittance.resize(hair.maps.size() * pointCount);
+  for (std::size_t l = 0; l < hair.maps.size(); ++l) {
+    DensityMap& map = hair.maps[l];
     {
       const StageTimer timer(profile, Stage::Deposit, points);
-      clear(hair.map, settings.map, makeLightSpace(settings.light.direction));
-      deposit(hair.strands(), hair.groom->fibre, hair.map);
+      clear(map, settings.map, lightSpaceOf(settings.lights[l], hair.pivot()));
+      deposit(hair.strands(), hair.groom->fibre, map);
+      if (settings.bodyShadow) {
+        if (hair.head) occlude(*hair.head, hair.worldFromHead, map);
+        occlude(hair.capsules, map);
+      }
     }
     {
       const auto cells = static_cast<std::int64_t>(settings.map.cells);
       const StageTimer timer(profile, Stage::Transmittance, cells * cells * cells);
-      computeTransmittance(hair.map);
+      computeTransmittance(map);
     }
     const StageTimer timer(profile, Stage::Filter, points);
-    sampleTransmittance(hair.map, hair.wisps.points, hair.transmittance);
+    sampleStrandTransmittance(map, hair.strands(),
+                              std::span(hair.transmittance).subspan(l * pointCount, pointCount));
   }
-  hair.colours.resize(settings.shade ? hair.wisps.points.size() : 0);
+  hair.colours.resize(settings.shade ? pointCount : 0);
   if (settings.shade) {
     const StageTimer timer(profile, Stage::Shade, points);
-    shadeKajiyaKay(hair.strands(), hair.transmittance, hair.visibility, settings.light,
-                   settings.look, hair.colours);
+    shadeKajiyaKay(hair.strands(), hair.illumination(settings), settings.look, hair.colours);
   }
 }
 
@@ -102,6 +112,7 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   };
   if (frames > 0) sizeTo(0);
   hair.capsules = grown;
+  hair.worldFromHead = body.worldFromHead;
   if (frames == 0) interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
   for (int i = 1; i <= frames; ++i) {
     sizeTo(i);

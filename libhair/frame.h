@@ -13,6 +13,7 @@
 #include <libhair/repulsion/repulsion.h>
 #include <libhair/shade/kajiya_kay.h>
 #include <libhair/shadow/density_map.h>
+#include <libhair/shadow/light.h>
 #include <libhair/wisps/wisps.h>
 
 namespace hair {
@@ -25,11 +26,15 @@ struct FrameSettings {
   RepulsionSettings repulsion;
   Wind wind;
 
+  std::vector<Light> lights{Light{}};  ///< none: hair in its ambient colour
   bool shadow = true;
-  DensityMapSettings map;
+  DensityMapSettings map;  ///< of every light's map
+  /// Head and body in every light's map, as soft as its cells (occlude). A program that draws has
+  /// sharper shadows of them in its own images, and hands those over as Hair::visibility.
+  bool bodyShadow = false;
   bool shade = true;
   KajiyaKaySettings look;
-  ShadeLight light;
+  glm::vec3 eye{0, 0, 1};  ///< where the picture is taken from, metres; highlights move with it
 };
 
 /// Where head and body are at the end of a frame.
@@ -51,16 +56,25 @@ struct Hair {
   GuideStrands guides;
   Wisps wisps;
   Repulsion repulsion;
-  DensityMap map;
-  std::vector<float> transmittance;    ///< [pointCount]; empty while shadows are off
-  std::vector<float> visibility;       ///< [pointCount], what head and body leave of the light; the
-                                       ///< caller's to fill, empty: all of it
+  std::vector<DensityMap> maps;        ///< [lights]; empty while shadows are off
+  std::vector<float> transmittance;    ///< [lights · pointCount]; empty while shadows are off
+  std::vector<float> visibility;       ///< [lights · pointCount], what head and body leave of each
+                                       ///< light; the caller's to fill, empty: all of it
   std::vector<std::uint32_t> colours;  ///< [pointCount] sRGB bytes (shadeKajiyaKay); or empty
-  std::vector<Capsule> capsules;       ///< body at the end of the last frame
+  RigidTransform worldFromHead;        ///< at the end of the last frame
+  std::vector<Capsule> capsules;       ///< body then
   double time = 0;                     ///< simulated seconds
   GuideWorkspace workspace;
 
   StrandView strands() const { return wisps.strands(); }
+  /// What lights at points look at: the joint that the head turns on. Hair that moves does not move
+  /// it, so that neither cells nor brightness follow the hair's motion.
+  glm::vec3 pivot() const { return worldFromHead.translation; }
+  /// What shadeKajiyaKay is told: all of the settings' lights, as the hair's arrays have them.
+  /// The settings and this must stay as they are while it is used.
+  Illumination illumination(const FrameSettings& settings) const {
+    return {settings.lights, pivot(), settings.eye, transmittance, visibility};
+  }
 };
 
 /// Moves the hair by `seconds`, to where the body is then, shadows and shades it. This is the whole
@@ -70,7 +84,8 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
            FrameProfile& profile);
 
 /// The second half of a frame: shadows and shades the hair as it stands (a still picture, or a
-/// light or camera that moves while the hair is paused).
+/// light or camera that moves while the hair is paused). The time grows with the number of lights,
+/// and each has a map; that of a light which is no more is freed.
 void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile);
 
 /// Back to rest on the body, then `seconds` without motion, while the body grows from nothing to

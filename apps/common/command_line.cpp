@@ -30,6 +30,33 @@ void addVector(CLI::App& command, const std::string& name, glm::vec3& value,
       ->type_name("X,Y,Z");
 }
 
+// X,Y,Z or X,Y,Z,R,G,B, again and again: the lights stand in the order of the command line,
+// whichever of the two options they come from.
+void addLights(CLI::App& command, const std::string& name, Light::Kind kind,
+               std::vector<Light>& lights, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [&lights, name, kind](const std::string& words) {
+            std::istringstream in(words);
+            float v[6] = {0, 0, 0, 1, 1, 1};
+            int count = 0;
+            for (char comma = ','; count < 6 && comma == ',' && in >> v[count]; ++count)
+              if (!(in >> comma)) comma = 0;
+            if (!in.eof() || words.ends_with(',') || (count != 3 && count != 6))
+              throw CLI::ValidationError(
+                  name, "wants X,Y,Z or X,Y,Z,R,G,B, three or six numbers; got " + words);
+            const glm::vec3 where(v[0], v[1], v[2]), colour(v[3], v[4], v[5]);
+            if (!glm::all(glm::greaterThanEqual(colour, glm::vec3(0))))
+              throw CLI::ValidationError(name, "wants a colour that is not negative; got " + words);
+            lights.push_back(kind == Light::Kind::Point ? Light::point(where, colour)
+                                                        : Light::parallel(where, colour));
+          },
+          help)
+      ->trigger_on_parse()
+      ->type_name("X,Y,Z[,R,G,B]");
+}
+
 }  // namespace
 
 void addVectors(CLI::App& command, const std::string& name, std::vector<glm::vec3>& values,
@@ -117,8 +144,12 @@ void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, i
   command
       .add_option("--cells", performance.cells, "of the shadow map along each axis; default 128")
       ->check(CLI::Range(2, 1024));
-  addVector(command, "--light", performance.light,
-            "the way the light travels; default 0.45,-0.8,-0.4");
+  addLights(command, "--light", Light::Kind::Parallel, performance.lights,
+            "the way parallel light travels, and its colour (linear; default 1,1,1); again for "
+            "more lights; default 0.45,-0.8,-0.4");
+  addLights(command, "--point", Light::Kind::Point, performance.lights,
+            "a light at a point, metres, and its colour where the head is, brighter nearer by; "
+            "again for more lights");
   addVector(command, "--wind", performance.wind, "m/s; default still air");
   command.add_flag("!--no-shadow", performance.shadow, "leave self-shadowing out");
   command.add_flag("!--no-self-collision", performance.selfCollision,

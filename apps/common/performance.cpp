@@ -18,7 +18,11 @@ FrameSettings frameSettings(const Subject& subject, const PerformanceOptions& op
   settings.wind.velocity = options.wind;
   settings.shadow = options.shadow;
   settings.look = subject.look;
-  settings.light.direction = makeLightSpace(options.light).direction();
+  settings.lights = options.lights;
+  if (settings.lights.empty()) settings.lights = {kDefaultLight};
+  for (Light& light : settings.lights)
+    if (light.kind == Light::Kind::Parallel)
+      light.direction = makeLightSpace(light.direction).direction();
   const glm::vec3 headSize = bounds(subject.head.mesh.positions).size();
   settings.map.cells = options.cells;
   settings.map.cellSize = mapExtentNeeded(subject.longestStrand, std::min(0.3f, headSize.y)) /

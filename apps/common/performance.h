@@ -8,15 +8,19 @@
 
 namespace hair {
 
+/// The light there is where nobody says otherwise: from above, in front, and one side.
+inline const Light kDefaultLight = Light::parallel({0.45f, -0.8f, -0.4f});
+
 /// What of a performance the command line sets.
 struct PerformanceOptions {
-  double fps = 60;                       ///< --fps, frames a second of the picture
-  int cells = 128;                       ///< --cells of the light's map along each axis
-  glm::vec3 light{0.45f, -0.8f, -0.4f};  ///< --light X,Y,Z, the way light travels
-  bool shadow = true;                    ///< --no-shadow
-  bool selfCollision = true;             ///< --no-self-collision
-  glm::vec3 wind{0};                     ///< --wind X,Y,Z, m/s
-  float settle = 1;  ///< --settle, seconds in the first pose before the first frame
+  double fps = 60;  ///< --fps, frames a second of the picture
+  int cells = 128;  ///< --cells of each light's map along each axis
+  /// --light and --point, in the order of the command line; none: kDefaultLight alone.
+  std::vector<Light> lights;
+  bool shadow = true;         ///< --no-shadow
+  bool selfCollision = true;  ///< --no-self-collision
+  glm::vec3 wind{0};          ///< --wind X,Y,Z, m/s
+  float settle = 1;           ///< --settle, seconds in the first pose before the first frame
 };
 
 /// Settings of a frame for this subject: the map is as large as its hair needs (mapExtentNeeded).

@@ -59,7 +59,7 @@ std::vector<float> bareness(const Performance& performance) {
 Staging::Staging(Performance& performance)
     : performance_(performance), bare_(bareness(performance)) {
   const Subject& subject = performance.subject;
-  scene.light.direction = performance.settings.light.direction;
+  scene.lights = performance.settings.lights;
   headBefore_ = performance.pose.worldFromHead.point(skull(subject));
   scene.ground.height = subject.motion.floorHeight();
   scene.meshes.resize(2);
@@ -114,25 +114,27 @@ void Staging::updateHair(draw::Renderer& renderer) {
   const Groom& groom = performance_.subject.groom;
   Hair& hair = performance_.hair;
   FrameSettings& settings = performance_.settings;
-  settings.light.eye = scene.camera.eye();
-  hair.visibility.resize(headShadowsHair ? hair.wisps.points.size() : 0);
+  const std::size_t points = hair.wisps.points.size();
+  settings.eye = scene.camera.eye();
+  scene.pivot = hair.pivot();
+  hair.visibility.resize(headShadowsHair ? scene.lights.size() * points : 0);
   draw::HairLayer& layer = scene.hair[0];
   layer.strands = hair.strands();
   layer.width = drawnWidth(groom);
   layer.opacity = 0.9f;
   layer.shadowWidth = groom.fibre.width * groom.fibre.opacity * groom.fibre.hairsPerStrand;
   if (headShadowsHair) renderer.meshVisibility(scene, hair.wisps.points, hair.visibility);
-  if (scene.light.direction != settings.light.direction) {
-    // Both get the same bits, or every picture would shadow again.
-    settings.light.direction = scene.light.direction = glm::normalize(scene.light.direction);
+  if (scene.lights != settings.lights) {
+    settings.lights = scene.lights;
     performance_.relight();
   } else {
-    shadeKajiyaKay(hair.strands(), hair.transmittance, hair.visibility, settings.light,
-                   settings.look, hair.colours);
+    shadeKajiyaKay(hair.strands(), hair.illumination(settings), settings.look, hair.colours);
   }
   if (scene.sideBySide) {
     unshadowed_.resize(hair.colours.size());
-    shadeKajiyaKay(hair.strands(), {}, hair.visibility, settings.light, settings.look, unshadowed_);
+    Illumination unshadowed = hair.illumination(settings);
+    unshadowed.transmittance = {};
+    shadeKajiyaKay(hair.strands(), unshadowed, settings.look, unshadowed_);
   }
   layer.colours = hair.colours;
   layer.leftColours = unshadowed_;
@@ -152,8 +154,8 @@ void Staging::updateInternals() {
   if (shown.colliders)
     for (const Capsule& c : performance_.pose.capsules)
       scene.debug.capsule(c, draw::packColour({0.2f, 0.7f, 1.0f, 0.8f}));
-  if (shown.cells && performance_.settings.shadow && !hair.map.empty()) {
-    const DensityMap& map = hair.map;
+  if (shown.cells && !hair.maps.empty() && !hair.maps.front().empty()) {
+    const DensityMap& map = hair.maps.front();
     for (int i = map.lower.x; i <= map.upper.x; ++i)
       for (int k = map.lower.z; k <= map.upper.z; ++k)
         for (int j = map.lower.y; j <= map.upper.y; ++j) {

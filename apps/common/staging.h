@@ -12,11 +12,11 @@ namespace hair {
 struct InternalsShown {
   bool guides = false;
   bool colliders = false;
-  bool cells = false;  ///< occupied cells of the light's map, coloured by transmittance
+  bool cells = false;  ///< occupied cells of the first light's map, coloured by transmittance
 };
 
 /// Puts a performance on a stage: head, body and hair as layers of a scene, the hair shaded for the
-/// scene's camera and light, with the meshes' shadow on it.
+/// scene's camera and lights, with the meshes' shadow on it.
 class Staging {
  public:
   explicit Staging(Performance& performance);
@@ -31,7 +31,7 @@ class Staging {
   /// of head and body on the hair.
   const draw::Scene& update(draw::Renderer& renderer);
 
-  draw::Scene scene;  ///< camera, light and ground may be changed between updates
+  draw::Scene scene;  ///< camera, lights and ground may be changed between updates
   InternalsShown shown;
   bool follow = true;
   bool headShadowsHair = true;

@@ -141,7 +141,7 @@ void Interactive::drawPicture(bool aboutToGrow) {
 int Interactive::run() {
   draw::Scene empty;
   empty.ground.visible = false;
-  if (!window_.beginFrame(empty.camera, empty.light)) return 0;
+  if (!window_.beginFrame(empty)) return 0;
   drawNotice("Growing hair, please wait ...");
   renderer_->draw(empty, window_.width(), window_.height());
   window_.endFrame(*renderer_);
@@ -149,7 +149,7 @@ int Interactive::run() {
 
   bool fresh = true;
   auto before = Clock::now();
-  while (window_.beginFrame(show_->staging.scene.camera, show_->staging.scene.light)) {
+  while (window_.beginFrame(show_->staging.scene)) {
     const double seconds = std::exchange(fresh, false) ? 0 : secondsSince(before);
     before = Clock::now();
     show_->report(readout_);

@@ -41,7 +41,8 @@ int program(int argc, char** argv) {
       "  dance\n"
       "  dance --style curly --motion dance.bvh --headless --out curly.mp4\n"
       "  dance --hair sintel.tfx --head sintel.obj --side-by-side\n"
-      "In the window: left drag orbits, right drag moves the light, wheel zooms; space pauses,\n"
+      "In the window: left drag orbits, right drag moves the first light, wheel zooms; space "
+      "pauses,\n"
       "S steps, R resets, Tab hides the panel.\n"
       "Exit codes: 0 done, 1 bad input, 2 bad usage.");
   try {

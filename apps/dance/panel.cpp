@@ -226,7 +226,8 @@ Requests drawPanel(Controls& c, Readout& r) {
     section("Keys", false, [] {
       ImGui::TextWrapped(
           "left drag: turn; middle drag: slide; wheel: nearer or away; right drag, or shift and "
-          "left drag: move the light; space: pause; S: one frame; R: from the start; Tab: panel");
+          "left drag: move the first light; space: pause; S: one frame; R: from the start; Tab: "
+          "panel");
     });
     if (!r.notes.empty())
       section("Notes on loading", false, [&] {

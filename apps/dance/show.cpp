@@ -90,7 +90,7 @@ void Show::takeOver(const draw::Scene& before) {
   staging.scene.camera.yaw = before.camera.yaw;
   staging.scene.camera.pitch = before.camera.pitch;
   staging.scene.camera.distance = before.camera.distance;
-  staging.scene.light = before.light;
+  staging.scene.lights = before.lights;
 }
 
 void Show::report(Readout& r) const {
@@ -99,8 +99,12 @@ void Show::report(Readout& r) const {
   r.points = hair.strands().pointCount();
   r.guides = hair.guides.guideCount();
   r.guidePoints = r.guides * hair.guides.pointsPerGuide();
-  r.saturatedCells = performance.settings.shadow ? hair.map.saturatedCells : 0;
-  r.aliased = performance.settings.shadow && hair.map.aliased();
+  r.saturatedCells = 0;
+  r.aliased = false;
+  for (const DensityMap& map : hair.maps) {
+    r.saturatedCells += map.saturatedCells;
+    r.aliased |= map.aliased();
+  }
   r.cellSize = performance.settings.map.cellSize;
   r.time = performance.time;
   r.duration = subject.motion.duration();

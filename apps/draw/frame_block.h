@@ -10,10 +10,13 @@ namespace hair::draw {
 /// Mirrors `uniform Frame` of shaders.cpp (std140: matrices and vectors of four only).
 struct FrameBlock {
   glm::mat4 clipFromWorld;
-  glm::mat4 shadowFromWorld;   ///< to [0, 1]^3: texture coordinates and depth from the light
-  glm::vec4 eye;               ///< xyz; w: pixels a metre covers at distance 1
-  glm::vec4 towardsLight;      ///< xyz unit; w: metres of a shadow map texel
-  glm::vec4 sun;               ///< rgb linear, times intensity
+  /// Of each light: to [0, 1]^3 (after division by w), texture coordinates and depth from it.
+  glm::mat4 shadowFromWorld[kMeshLights];
+  glm::vec4 lightPlace[kMeshLights];   ///< xyz: unit towards it, w 0; or where it is, w 1
+  glm::vec4 lightColour[kMeshLights];  ///< rgb linear, times intensity; at a point: at 1 m from it
+  glm::vec4 lightTexel;                ///< metres of each light's shadow map texel (LightView)
+  glm::vec4 eye;                       ///< xyz; w: pixels a metre covers at distance 1
+  glm::vec4 allLights;         ///< rgb linear, times intensity, at the pivot; w: number of lights
   glm::vec4 sky;               ///< rgb linear, times intensity
   glm::vec4 backgroundMiddle;  ///< rgb linear
   glm::vec4 backgroundEdge;    ///< rgb linear

@@ -24,7 +24,7 @@ class HairPass {
   void draw(const Scene& scene, bool left);
 
   /// Adds the strands' optical depth through `clipFromWorld` to the bound framebuffer, whose pixels
-  /// measure `texel` metres.
+  /// measure `texel` metres, times w of the clip space.
   void drawDepth(const Scene& scene, const glm::mat4& clipFromWorld, float texel);
 
  private:

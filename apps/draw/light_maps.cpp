@@ -1,5 +1,7 @@
 #include <apps/draw/light_maps.h>
 
+#include <algorithm>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <apps/draw/light_view.h>
@@ -17,16 +19,31 @@ gl::Program makeOcclude() {
   return gl::link("floor occlusion", s.vertex, s.geometry, s.fragment);
 }
 
-void allocate(const gl::Texture& texture, GLint internal, int size, GLenum format, GLenum type,
-              float border) {
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, internal, size, size, 0, format, type, nullptr);
+// `layers`: 0 for a plain texture, else an array of them.
+void allocate(const gl::Texture& texture, GLint internal, int size, int layers, GLenum format,
+              GLenum type, float border) {
+  const GLenum kind = layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+  glBindTexture(kind, texture);
+  if (layers > 0)
+    glTexImage3D(kind, 0, internal, size, size, layers, 0, format, type, nullptr);
+  else
+    glTexImage2D(kind, 0, internal, size, size, 0, format, type, nullptr);
   const float colour[] = {border, border, border, border};
-  glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, colour);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameterfv(kind, GL_TEXTURE_BORDER_COLOR, colour);
+  glTexParameteri(kind, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  glTexParameteri(kind, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  glTexParameteri(kind, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+// To the bound framebuffer.
+void attachLayer(GLenum attachment, const gl::Texture& texture, int layer) {
+  glFramebufferTextureLayer(GL_FRAMEBUFFER, attachment, texture, 0, layer);
+}
+
+void withoutColour() {
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
 }
 
 void attach(const gl::Framebuffer& target, const gl::Texture* colour, const gl::Texture* depth,
@@ -35,16 +52,15 @@ void attach(const gl::Framebuffer& target, const gl::Texture* colour, const gl::
   if (colour) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, *colour, 0);
   } else {
-    glDrawBuffer(GL_NONE);
-    glReadBuffer(GL_NONE);
+    withoutColour();
   }
   if (depth) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, *depth, 0);
   gl::requireComplete(name);
 }
 
-void bindTexture(GLuint unit, const gl::Texture& texture) {
+void bindTexture(GLuint unit, const gl::Texture& texture, GLenum kind = GL_TEXTURE_2D) {
   glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_2D, texture);
+  glBindTexture(kind, texture);
 }
 
 const glm::mat4 kTextureFromClip =
@@ -53,16 +69,28 @@ const glm::mat4 kTextureFromClip =
 }  // namespace
 
 LightMaps::LightMaps(int size_) : size(size_), occlude(makeOcclude()) {
-  allocate(meshDepth, GL_DEPTH_COMPONENT24, size, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 1);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  allocate(hairDepth, GL_R16F, size, GL_RED, GL_FLOAT, 0);
-  allocate(lowest, GL_DEPTH_COMPONENT24, kFloorSize, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 1);
-  allocate(occlusion, GL_R8, kFloorSize, GL_RED, GL_UNSIGNED_BYTE, 1);
-  attach(meshTarget, nullptr, &meshDepth, "mesh shadow");
-  attach(hairTarget, &hairDepth, &meshDepth, "hair shadow");
+  allocate(lowest, GL_DEPTH_COMPONENT24, kFloorSize, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 1);
+  allocate(occlusion, GL_R8, kFloorSize, 0, GL_RED, GL_UNSIGNED_BYTE, 1);
   attach(lowestTarget, nullptr, &lowest, "floor heights");
   attach(occlusionTarget, &occlusion, nullptr, "floor occlusion");
+}
+
+// Memory for as many lights as there are, not for as many as there might be.
+void LightMaps::allocateLayers(int count) {
+  if (count == layers) return;
+  layers = count;
+  allocate(meshDepth, GL_DEPTH_COMPONENT24, size, layers, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 1);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  allocate(hairDepth, GL_R16F, size, layers, GL_RED, GL_FLOAT, 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, meshTarget);
+  withoutColour();
+  attachLayer(GL_DEPTH_ATTACHMENT, meshDepth, 0);
+  gl::requireComplete("mesh shadow");
+  glBindFramebuffer(GL_FRAMEBUFFER, hairTarget);
+  attachLayer(GL_COLOR_ATTACHMENT0, hairDepth, 0);
+  attachLayer(GL_DEPTH_ATTACHMENT, meshDepth, 0);
+  gl::requireComplete("hair shadow");
 }
 
 void LightMaps::update(const Scene& scene, const MeshStore& meshes, HairPass& hair,
@@ -71,31 +99,40 @@ void LightMaps::update(const Scene& scene, const MeshStore& meshes, HairPass& ha
   const Bounds h = hair.worldBounds();
   if (h.lower.x <= h.upper.x) casters.extend(h.lower), casters.extend(h.upper);
   if (casters.lower.x > casters.upper.x) casters.extend(glm::vec3(0));
-  const LightView view = lightView(glm::vec3(frame.towardsLight), casters, casters, size);
-  frame.shadowFromWorld = kTextureFromClip * view.clipFromWorld;
-  frame.towardsLight.w = view.texel;
+  const int lights = static_cast<int>(std::min(scene.lights.size(), kMeshLights));
+  allocateLayers(std::max(1, lights));
   frame.shadowTexel = glm::vec4(1.0f / float(size), 0, 0, 0);
 
   glViewport(0, 0, size, size);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  glBindFramebuffer(GL_FRAMEBUFFER, meshTarget);
   glClearDepth(1);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(2, 4);
-  meshes.drawDepth(scene, view.clipFromWorld);
-  glDisable(GL_POLYGON_OFFSET_FILL);
-
-  glBindFramebuffer(GL_FRAMEBUFFER, hairTarget);
   glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT);
-  hair.drawDepth(scene, view.clipFromWorld, view.texel);
+  for (int l = 0; l < lights; ++l) {
+    const LightView view =
+        lightView(scene.lights[std::size_t(l)], scene.pivot, casters, casters, size);
+    frame.shadowFromWorld[l] = kTextureFromClip * view.clipFromWorld;
+    frame.lightTexel[l] = view.texel;
+
+    glBindFramebuffer(GL_FRAMEBUFFER, meshTarget);
+    attachLayer(GL_DEPTH_ATTACHMENT, meshDepth, l);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(2, 4);
+    meshes.drawDepth(scene, view.clipFromWorld);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+
+    glBindFramebuffer(GL_FRAMEBUFFER, hairTarget);
+    attachLayer(GL_COLOR_ATTACHMENT0, hairDepth, l);
+    attachLayer(GL_DEPTH_ATTACHMENT, meshDepth, l);
+    glClear(GL_COLOR_BUFFER_BIT);
+    hair.drawDepth(scene, view.clipFromWorld, view.texel);
+  }
 
   updateFloor(scene, meshes, frame);
   bindTexture(2, occlusion);
-  bindTexture(1, hairDepth);
-  bindTexture(0, meshDepth);
+  bindTexture(1, hairDepth, GL_TEXTURE_2D_ARRAY);
+  bindTexture(0, meshDepth, GL_TEXTURE_2D_ARRAY);
 }
 
 void LightMaps::updateFloor(const Scene& scene, const MeshStore& meshes, FrameBlock& frame) {

@@ -9,7 +9,8 @@
 
 namespace hair::draw {
 
-/// Three maps, made anew for every picture.
+/// Two maps for each of the first kMeshLights lights (layers of two textures) and one for the
+/// floor, made anew for every picture.
 ///
 ///   meshes     depth of the first mesh along the light: shadows meshes, hair and floor
 ///   hair       optical depth (strands' width times opacity a pixel) of the hair in front of that
@@ -27,11 +28,13 @@ class LightMaps {
 
  private:
   int size;
+  int layers = 0;
   gl::Texture meshDepth, hairDepth, lowest, occlusion;
   gl::Framebuffer meshTarget, hairTarget, lowestTarget, occlusionTarget;
   gl::VertexArray empty;
   gl::Program occlude;
 
+  void allocateLayers(int count);
   void updateFloor(const Scene& scene, const MeshStore& meshes, FrameBlock& frame);
 };
 

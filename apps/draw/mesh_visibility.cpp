@@ -47,7 +47,7 @@ MeshVisibility::MeshVisibility() : fetched(std::size_t(kSize * kSize)) {
   gl::requireComplete("mesh visibility");
 }
 
-void MeshVisibility::compute(const Scene& scene, const MeshStore& meshes,
+void MeshVisibility::compute(const Scene& scene, const Light& light, const MeshStore& meshes,
                              std::span<const glm::vec3> points, std::span<float> visibility) {
   require(points.size() == visibility.size(), "mesh visibility of ", points.size(),
           " points wanted in an array of ", visibility.size());
@@ -56,8 +56,8 @@ void MeshVisibility::compute(const Scene& scene, const MeshStore& meshes,
     std::ranges::fill(visibility, 1.0f);
     return;
   }
-  const glm::vec3 towardsLight = -glm::normalize(scene.light.direction);
-  const LightView view = lightView(towardsLight, bounds(points), casters, kSize);
+  const Bounds receivers = bounds(points);
+  const LightView view = lightView(light, receivers.centre(), receivers, casters, kSize);
 
   glBindFramebuffer(GL_FRAMEBUFFER, target);
   glViewport(0, 0, kSize, kSize);
@@ -70,15 +70,26 @@ void MeshVisibility::compute(const Scene& scene, const MeshStore& meshes,
   meshes.drawDepth(scene, view.clipFromWorld);
   glReadPixels(0, 0, kSize, kSize, GL_DEPTH_COMPONENT, GL_FLOAT, fetched.data());
 
-  // To pixels across the light, and depth in [0, 1].
+  // To pixels across the light, and depth in [0, 1]; w is 1 for parallel light.
+  const bool atPoint = light.kind == Light::Kind::Point;
+  const glm::vec3 parallel =
+      atPoint ? glm::vec3(0) : kTowardsLight * -glm::normalize(light.direction);
   const glm::vec3 scale(0.5f * kSize, 0.5f * kSize, 0.5f);
+  const glm::vec4 wRow = glm::transpose(view.clipFromWorld)[3];
   const glm::mat3 turn = glm::mat3(view.clipFromWorld);
   const glm::vec3 shift(view.clipFromWorld[3]);
   parallelFor(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const glm::vec3 clip = turn * (points[i] + kTowardsLight * towardsLight) + shift;
-      const glm::vec3 p = scale * (clip + 1.0f);
-      visibility[i] = litShare(fetched, p.x, p.y, p.z);
+      glm::vec3 offset = parallel;
+      if (atPoint) {
+        offset = light.position - points[i];
+        const float distance = glm::length(offset);
+        offset *= std::min(0.5f, kTowardsLight / std::max(distance, 1e-6f));
+      }
+      const glm::vec3 clip = turn * (points[i] + offset) + shift;
+      const float w = glm::dot(wRow, glm::vec4(points[i] + offset, 1));
+      const glm::vec3 p = scale * (clip / w + 1.0f);
+      visibility[i] = w > 0 ? litShare(fetched, p.x, p.y, p.z) : 1.0f;  // else behind the light
     }
   });
 }

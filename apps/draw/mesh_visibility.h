@@ -10,7 +10,7 @@
 
 namespace hair::draw {
 
-/// The meshes' depth as the light sees it, fitted around the points, fetched, and looked up once
+/// The meshes' depth as a light sees it, fitted around the points, fetched, and looked up once
 /// for every point. (In a vertex shader the same look-ups are done again for both segments that
 /// share a point, for both halves of the picture, and on one thread where Mesa's software renderer
 /// draws: they took 240 of 380 ms for 150,000 segments; here they take a few.)
@@ -19,8 +19,8 @@ class MeshVisibility {
   MeshVisibility();
 
   /// `meshes` must be up to date with the scene. Leaves its own framebuffer and viewport bound.
-  void compute(const Scene& scene, const MeshStore& meshes, std::span<const glm::vec3> points,
-               std::span<float> visibility);
+  void compute(const Scene& scene, const Light& light, const MeshStore& meshes,
+               std::span<const glm::vec3> points, std::span<float> visibility);
 
  private:
   gl::Texture depth;

@@ -21,9 +21,7 @@ gl::Program linked(const char* name, const shaders::Source& s) {
 }
 
 void checkScene(const Scene& scene) {
-  const float length = glm::length(scene.light.direction);
-  require(length > 0 && std::isfinite(length),
-          "the light's direction has no length: give three numbers that are not all zero");
+  for (const Light& light : scene.lights) lightSpaceOf(light, scene.pivot);
   require(
       scene.camera.distance > 0 && scene.camera.fieldOfView > 0 && scene.camera.fieldOfView < 3.14f,
       "the camera's distance must be above 0 and its field of view in (0, pi); they are ",
@@ -74,7 +72,6 @@ void Renderer::draw(const Scene& scene, int width, int height) {
   glBlendEquation(GL_FUNC_ADD);
 
   FrameBlock maps{};
-  maps.towardsLight = glm::vec4(-glm::normalize(scene.light.direction), 0);
   s.lightMaps.update(scene, s.meshes, s.hair, maps);
 
   s.targets.bind();
@@ -82,8 +79,8 @@ void Renderer::draw(const Scene& scene, int width, int height) {
   glClear(GL_DEPTH_BUFFER_BIT);
   const auto view = [&](glm::ivec4 viewport, bool left) {
     FrameBlock frame = frameBlock(scene, glm::vec4(viewport));
-    frame.shadowFromWorld = maps.shadowFromWorld;
-    frame.towardsLight = maps.towardsLight;
+    std::ranges::copy(maps.shadowFromWorld, frame.shadowFromWorld);
+    frame.lightTexel = maps.lightTexel;
     frame.shadowTexel = maps.shadowTexel;
     frame.floorMap = maps.floorMap;
     s.drawView(scene, frame, viewport, left);
@@ -151,8 +148,13 @@ void Renderer::State::drawDebug(const DebugLayer& layer) {
 void Renderer::meshVisibility(const Scene& scene, std::span<const glm::vec3> points,
                               std::span<float> visibility) {
   checkScene(scene);
+  require(visibility.size() == scene.lights.size() * points.size(), "mesh visibility of ",
+          points.size(), " points and ", scene.lights.size(), " lights wanted in an array of ",
+          visibility.size());
   state->meshes.update(scene);
-  state->visibility.compute(scene, state->meshes, points, visibility);
+  for (std::size_t l = 0; l < scene.lights.size(); ++l)
+    state->visibility.compute(scene, scene.lights[l], state->meshes, points,
+                              visibility.subspan(l * points.size(), points.size()));
 }
 
 void Renderer::read(Picture& picture) const {

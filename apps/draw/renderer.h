@@ -29,8 +29,9 @@ class Renderer {
   /// arrays that do not fit their strands.
   void draw(const Scene& scene, int width, int height);
 
-  /// What the scene's meshes leave of the sun at points, to shade hair with: 0 in the shadow of a
-  /// head or body, 1 in the light, in between at the shadow's edge. Both arrays [pointCount].
+  /// What the scene's meshes leave of each light at points, to shade hair with: 0 in the shadow of
+  /// a head or body, 1 in the light, in between at the shadow's edge. `visibility`:
+  /// [lights · pointCount], all points of the first light, then of the next.
   /// Points on or just under a surface that faces the light (the roots of hair) are in the light.
   void meshVisibility(const Scene& scene, std::span<const glm::vec3> points,
                       std::span<float> visibility);

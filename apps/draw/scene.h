@@ -10,6 +10,7 @@
 #include <libhair/core/strands.h>
 #include <libhair/core/triangle_mesh.h>
 #include <libhair/motion/colliders.h>
+#include <libhair/shadow/light.h>
 
 namespace hair::draw {
 
@@ -72,12 +73,15 @@ struct DebugLayer {
 /// Bytes of a colour from components in [0, 1], as HairLayer::colours wants them.
 std::uint32_t packColour(glm::vec4 srgb);
 
-/// The sun of the scene, and the sky that fills its shadows.
-struct Light {
-  glm::vec3 direction{-0.5f, -0.8f, -0.45f};  ///< the way light travels; any length > 0
-  glm::vec3 colour{1.0f, 0.96f, 0.90f};       ///< linear
-  float intensity = 2.2f;                     ///< of the directional light on meshes, >= 0
-  float ambient = 0.55f;                      ///< of the sky on meshes, >= 0
+/// So many lights shine on meshes and floor, and cast shadows there: the first of the scene.
+/// Hair, whose colours come ready shaded, may be lit by more.
+inline constexpr std::size_t kMeshLights = 4;
+
+/// What lights that are made for hair are to meshes and floor, and the sky that fills shadows.
+struct MeshLighting {
+  glm::vec3 tint{1.0f, 0.96f, 0.90f};  ///< factor of every light's colour, linear
+  float intensity = 2.2f;              ///< factor of every light, >= 0
+  float ambient = 0.55f;               ///< of the sky, >= 0
 };
 
 /// A floor that fades into the background at some distance.
@@ -96,7 +100,11 @@ struct Background {
 /// Everything of one picture.
 struct Scene {
   Camera camera;
-  Light light;
+  /// Lights at points shadow meshes and floor within 75 degrees of the way to the pivot, and hair
+  /// within 75 degrees of the way to its middle; beyond, they shine and cast no shadow.
+  std::vector<Light> lights{Light::parallel({-0.5f, -0.8f, -0.45f})};
+  glm::vec3 pivot{0};  ///< where the colours of lights at points are given (lightSpaceOf), metres
+  MeshLighting meshLighting;
   Ground ground;
   Background background;
   std::vector<HairLayer> hair;

@@ -9,10 +9,12 @@ const std::string kVersion = "#version 330 core\n";
 const std::string kFrame = kVersion + R"(
 layout(std140) uniform Frame {
   mat4 clipFromWorld;
-  mat4 shadowFromWorld;
+  mat4 shadowFromWorld[4];
+  vec4 lightPlace[4];
+  vec4 lightColour[4];
+  vec4 lightTexel;
   vec4 eye;
-  vec4 towardsLight;
-  vec4 sun;
+  vec4 allLights;
   vec4 sky;
   vec4 backgroundMiddle;
   vec4 backgroundEdge;
@@ -22,33 +24,55 @@ layout(std140) uniform Frame {
   vec4 floorMap;
   vec4 shadowTexel;
 };
-uniform sampler2DShadow meshShadow;
-uniform sampler2D hairShadow;
+uniform sampler2DArrayShadow meshShadow;
+uniform sampler2DArray hairShadow;
 uniform sampler2D floorOcclusion;
 
 vec3 linearFromSrgb(vec3 c) { return pow((c + 0.055) / 1.055, vec3(2.4)); }
 
-// Share of the sun that meshes let through to a point; four filtered look-ups.
-float sunPastMeshes(vec3 world) {
-  vec3 p = (shadowFromWorld * vec4(world, 1)).xyz;
-  p.z = min(p.z, 0.99999);  // beyond all casters: whatever is there is in between
+int lightCount() { return int(allLights.w); }
+
+// What arrives of a light at a point, were nothing in between.
+struct Ray {
+  vec3 towards;  // the light, unit
+  vec3 colour;
+  float texel;   // metres of a texel of its shadow map here
+};
+Ray rayOf(int light, vec3 world) {
+  vec3 way = lightPlace[light].xyz, colour = lightColour[light].rgb;
+  if (lightPlace[light].w == 0.0) return Ray(way, colour, lightTexel[light]);
+  way -= world;
+  float far = max(length(way), 0.01);
+  return Ray(way / far, colour / (far * far), lightTexel[light] * far);
+}
+
+// Share of a light that meshes let through to a point; four filtered look-ups. All of it behind a
+// light at a point and outside of its map.
+float pastMeshes(int light, vec3 world) {
+  vec4 h = shadowFromWorld[light] * vec4(world, 1);
+  if (h.w <= 0.0) return 1.0;
+  vec3 p = h.xyz / h.w;
+  // Beyond all casters: whatever is there is in between.
+  vec4 q = vec4(p.xy, light, min(p.z, 0.99999));
   float s = 0.0, o = 0.8 * shadowTexel.x;
-  s += texture(meshShadow, p + vec3(-o, -o, 0));
-  s += texture(meshShadow, p + vec3(o, -o, 0));
-  s += texture(meshShadow, p + vec3(-o, o, 0));
-  s += texture(meshShadow, p + vec3(o, o, 0));
+  s += texture(meshShadow, q + vec4(-o, -o, 0, 0));
+  s += texture(meshShadow, q + vec4(o, -o, 0, 0));
+  s += texture(meshShadow, q + vec4(-o, o, 0, 0));
+  s += texture(meshShadow, q + vec4(o, o, 0, 0));
   return 0.25 * s;
 }
 
-// Share of the sun that hair lets through to a surface the sun sees: the map holds the optical
+// Share of a light that hair lets through to a surface the light sees: the map holds the optical
 // depth of all hair in front of the first mesh, which is just such a surface.
-float sunPastHair(vec3 world) {
-  vec2 p = (shadowFromWorld * vec4(world, 1)).xy;
+float pastHair(int light, vec3 world) {
+  vec4 h = shadowFromWorld[light] * vec4(world, 1);
+  if (h.w <= 0.0) return 1.0;
+  vec3 p = vec3(h.xy / h.w, light);
   float d = 0.0, o = 1.5 * shadowTexel.x;
-  d += texture(hairShadow, p + vec2(-o, -o)).r;
-  d += texture(hairShadow, p + vec2(o, -o)).r;
-  d += texture(hairShadow, p + vec2(-o, o)).r;
-  d += texture(hairShadow, p + vec2(o, o)).r;
+  d += texture(hairShadow, p + vec3(-o, -o, 0)).r;
+  d += texture(hairShadow, p + vec3(o, -o, 0)).r;
+  d += texture(hairShadow, p + vec3(-o, o, 0)).r;
+  d += texture(hairShadow, p + vec3(o, o, 0)).r;
   return exp(-0.25 * d);
 }
 
@@ -99,13 +123,19 @@ void main() {
   vec3 wall = backdrop(gl_FragCoord.xy);
   float far = smoothstep(0.15, 1.0, distance(world.xz, groundPlace.xy) / groundPlace.w);
   // The floor is the wall's own paper, rolled out: where nothing stands in the light it looks so.
-  float lit = sunPastMeshes(world + vec3(0, 2.0 * towardsLight.w, 0));
-  if (lit > 0.0) lit *= sunPastHair(world);
   vec2 q = (world.xz - floorMap.xy) * floorMap.z;
   float open = 1.0;
   if (floorMap.w > 0.0 && clamp(q, 0.0, 1.0) == q) open = texture(floorOcclusion, q).r;
-  vec3 full = sun.rgb * towardsLight.y + sky.rgb;
-  vec3 here = sun.rgb * towardsLight.y * lit + sky.rgb * open;
+  // Lights' colours go into the shadows they leave, not into the paper, which stays the wall's.
+  vec3 full = sky.rgb, here = sky.rgb * open;
+  for (int i = 0; i < lightCount(); ++i) {
+    Ray ray = rayOf(i, world);
+    if (ray.towards.y <= 0.0) continue;
+    float lit = pastMeshes(i, world + vec3(0, 2.0 * ray.texel, 0));
+    if (lit > 0.0) lit *= pastHair(i, world);
+    full += ray.colour * ray.towards.y;
+    here += ray.colour * ray.towards.y * lit;
+  }
   vec3 paper = film(groundColour.rgb * here);
   vec3 unshadowed = film(groundColour.rgb * full);
   vec3 c = mix(paper, wall * paper / max(unshadowed, 1e-3), 0.65);
@@ -149,25 +179,27 @@ float gloss(vec3 n, vec3 v, vec3 l) {
 }
 
 void main() {
-  vec3 v = normalize(eye.xyz - world), l = towardsLight.xyz;
+  vec3 v = normalize(eye.xyz - world);
   vec3 n = normalize(worldNormal);
   if (dot(n, v) < 0.0 && !gl_FrontFacing) n = -n;
-  float nl = dot(n, l);
-
-  float lit = 0.0;
-  if (nl > -0.2) {
-    // Off the surface by more than a shadow texel sees of its slope.
-    lit = sunPastMeshes(world + n * (2.5 * towardsLight.w));
-    if (lit > 0.0) lit *= sunPastHair(world);
-  }
   // Light wanders a little under the surface: past the terminator, and redder there.
   vec3 wrap = vec3(0.11, 0.07, 0.055);
-  vec3 diffuse = clamp((vec3(nl) + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0, 1.0);
-  vec3 bounce = groundColour.rgb * (0.35 * sky.rgb + 0.05 * sun.rgb);
+  vec3 bounce = groundColour.rgb * (0.35 * sky.rgb + 0.05 * allLights.rgb);
   vec3 around = mix(bounce, sky.rgb, 0.5 + 0.5 * n.y);
   float rim = pow(1.0 - max(dot(n, v), 0.0), 4.0);
-  vec3 c = albedo * vertexTint * (sun.rgb * diffuse * lit + around) +
-           sun.rgb * gloss(n, v, l) * max(nl, 0.0) * lit + 0.25 * around * rim;
+  vec3 own = around, shine = vec3(0);
+  for (int i = 0; i < lightCount(); ++i) {
+    Ray ray = rayOf(i, world);
+    float nl = dot(n, ray.towards);
+    if (nl <= -0.2) continue;
+    // Off the surface by more than a shadow texel sees of its slope.
+    float lit = pastMeshes(i, world + n * (2.5 * ray.texel));
+    if (lit > 0.0) lit *= pastHair(i, world);
+    vec3 diffuse = clamp((vec3(nl) + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0, 1.0);
+    own += ray.colour * diffuse * lit;
+    shine += ray.colour * gloss(n, v, ray.towards) * max(nl, 0.0) * lit;
+  }
+  vec3 c = albedo * vertexTint * own + shine + 0.25 * around * rim;
   pixel = vec4(film(c), 1);
 }
 )"};
@@ -191,7 +223,7 @@ uniform float rootDepth, tipWidth;
 out float depth;
 void main() {
   gl_Position = clipFromWorld * vec4(position, 1);
-  depth = rootDepth * mix(1.0, tipWidth, along * along);
+  depth = rootDepth * mix(1.0, tipWidth, along * along) / max(gl_Position.w, 1e-3);
 }
 )",
           "", kVersion + R"(

@@ -28,15 +28,21 @@ std::string glfwComplaint() {
   return what ? what : "no reason given";
 }
 
-/// Turns the light as a drag would turn a ball that the camera looks at.
-void turnLight(Light& light, const Camera& camera, float rightBy, float upBy) {
-  const glm::mat3 worldFromView = glm::transpose(glm::mat3(camera.viewFromWorld()));
+/// Turns the first light as a drag would turn a ball that the camera looks at.
+void turnLight(Scene& scene, float rightBy, float upBy) {
+  if (scene.lights.empty()) return;
+  Light& light = scene.lights.front();
+  const glm::mat3 worldFromView = glm::transpose(glm::mat3(scene.camera.viewFromWorld()));
   const glm::vec3 right = worldFromView[0], up = worldFromView[1];
   // The light's own place (against its direction) follows the hand.
-  glm::vec3 place = -glm::normalize(light.direction);
-  place = glm::angleAxis(rightBy, up) * place;
-  place = glm::angleAxis(-upBy, right) * place;
-  light.direction = -glm::normalize(place);
+  const auto turned = [&](glm::vec3 place) {
+    place = glm::angleAxis(rightBy, up) * place;
+    return glm::angleAxis(-upBy, right) * place;
+  };
+  if (light.kind == Light::Kind::Point)
+    light.position = scene.pivot + turned(light.position - scene.pivot);
+  else
+    light.direction = -glm::normalize(turned(-glm::normalize(light.direction)));
 }
 
 }  // namespace
@@ -59,7 +65,7 @@ struct Window::State {
     glfwTerminate();
   }
 
-  void drag(Camera& camera, Light& light);
+  void drag(Scene& scene);
 };
 
 bool windowAvailable() {
@@ -122,7 +128,8 @@ Window::Window(const std::string& title, int width, int height) : state(std::mak
 
 Window::~Window() = default;
 
-void Window::State::drag(Camera& camera, Light& light) {
+void Window::State::drag(Scene& scene) {
+  Camera& camera = scene.camera;
   double x = 0, y = 0;
   glfwGetCursorPos(window, &x, &y);
   int unitsWide = 1, unitsHigh = 1;
@@ -138,7 +145,7 @@ void Window::State::drag(Camera& camera, Light& light) {
                      glfwGetKey(window, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
   const float turn = kRadiansPerHeight;
   if (down(GLFW_MOUSE_BUTTON_RIGHT) || (shift && down(GLFW_MOUSE_BUTTON_LEFT))) {
-    turnLight(light, camera, turn * dx, turn * dy);
+    if (dx != 0 || dy != 0) turnLight(scene, turn * dx, turn * dy);
   } else if (down(GLFW_MOUSE_BUTTON_MIDDLE)) {
     camera.pan({-dx, -dy});
   } else if (down(GLFW_MOUSE_BUTTON_LEFT)) {
@@ -147,7 +154,7 @@ void Window::State::drag(Camera& camera, Light& light) {
   if (turns != 0) camera.zoom(std::pow(0.9f, float(turns)));
 }
 
-bool Window::beginFrame(Camera& camera, Light& light) {
+bool Window::beginFrame(Scene& scene) {
   State& s = *state;
   s.requests = {};
   glfwPollEvents();
@@ -158,7 +165,7 @@ bool Window::beginFrame(Camera& camera, Light& light) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
-  s.drag(camera, light);
+  s.drag(scene);
   return true;
 }
 

@@ -15,18 +15,19 @@ struct WindowRequests {
   bool panel = false;  ///< Tab: show or hide the panel
 };
 
-/// A window with an OpenGL 3.3 core context, the mouse on camera and light, and Dear ImGui.
+/// A window with an OpenGL 3.3 core context, the mouse on camera and first light, and Dear ImGui.
 ///
 ///   Window window("dance", 1280, 720);
 ///   Renderer renderer;
-///   while (window.beginFrame(scene.camera, scene.light)) {
+///   while (window.beginFrame(scene)) {
 ///     ... ImGui::Begin ... ImGui::End ...
 ///     renderer.draw(scene, window.width(), window.height());
 ///     window.endFrame(renderer);
 ///   }
 ///
 /// Left drag orbits, middle drag pans, the wheel zooms, right drag (or shift and left drag) turns
-/// the light. What the panel takes, the scene does not get.
+/// the first light, or moves it about the pivot where it is at a point. What the panel takes, the
+/// scene does not get.
 class Window {
  public:
   /// Throws Error when there is no display or no OpenGL 3.3.
@@ -36,7 +37,7 @@ class Window {
   Window& operator=(const Window&) = delete;
 
   /// Polls events, moves camera and light, opens an ImGui frame. False once the window is closed.
-  bool beginFrame(Camera& camera, Light& light);
+  bool beginFrame(Scene& scene);
   WindowRequests requests() const;
 
   /// Shows what the renderer drew last, the panel over it.

@@ -13,6 +13,7 @@
 #include <apps/common/results.h>
 #include <apps/common/staging.h>
 #include <libhair/files/strand_file.h>
+#include <libhair/measure/simulation_trial.h>
 
 namespace hair {
 
@@ -84,5 +85,26 @@ struct MeasureOptions {
   std::string commandLine;  ///< as typed, for who repeats it
 };
 void runMeasure(const MeasureOptions& options);
+
+/// hair measure-motion
+struct MeasureMotionOptions {
+  SubjectOptions subject;
+  PerformanceOptions performance;
+  SimulationTrialSettings trial;
+  std::vector<std::size_t> guideCounts{402, 201, 100, 50, 25};  ///< empty: guides are not thinned
+  int threads = 0;
+  std::filesystem::path csv;  ///< one row a setting
+};
+void runMeasureMotion(const MeasureMotionOptions& options);
+
+/// hair plan
+struct PlanOptions {
+  SubjectOptions subject;
+  PerformanceOptions performance;
+  int frames = 120;  ///< of every performance; cut into blocks
+  int threads = 0;
+  std::filesystem::path csv;  ///< one row a feature
+};
+void runPlan(const PlanOptions& options);
 
 }  // namespace hair

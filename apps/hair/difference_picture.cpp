@@ -107,6 +107,10 @@ void drawDots(Svg& svg, const View& view, double x, double y, const std::vector<
   svg.raw("</g>\n");
 }
 
+std::string rounded(double error) {
+  return brief(std::round(error * 1e4) * 1e-4);
+}
+
 // Some strands, to show where on the head the points are.
 std::string strandsPath(StrandView strands, const View& view) {
   constexpr std::size_t kStrands = 220, kPoints = 24;
@@ -194,8 +198,8 @@ std::string differencePictures(const MeasureReport& report, const MeasuredCase& 
     svg.raw(marker(trial.candidate.method, x + 7, y - 23, 0.95));
     svg.words(x + 18, y - 19, trial.candidate.method, "font-weight=\"bold\"");
     svg.words(x, y - 5,
-              text("mean absolute ", brief(trial.error.meanAbsolute.value, 2), ", bias ",
-                   brief(trial.error.bias.value, 2)),
+              text("mean absolute ", rounded(trial.error.meanAbsolute.value), ", bias ",
+                   rounded(trial.error.bias.value)),
               "font-size=\"10.5\" fill=\"#555\"");
     drawDots(svg, view, x, y, part, kDifference, true);
   }

@@ -8,14 +8,11 @@
 #include <CLI/CLI.hpp>
 
 #include <apps/common/command_line.h>
-#include <apps/hair/commands.h>
+#include <apps/hair/options.h>
 #include <libhair/core/error.h>
 
 namespace hair {
 namespace {
-
-// What the chosen command will do once the whole command line has been understood.
-using Run = std::function<void()>;
 
 void addInfo(CLI::App& app, Run& run) {
   auto options = std::make_shared<InfoOptions>();
@@ -114,80 +111,13 @@ void addRender(CLI::App& app, Run& run) {
       "Examples:\n"
       "  hair render --style smooth --out smooth.png --side-by-side --width 1600 --height 800\n"
       "  hair render --hair sintel.tfx --head sintel.obj --light 0.5,-0.8,-0.35 --out sintel.png\n"
-      "  hair render --style curly --motion dance.bvh --frames 300 --out frame300.exr");
+      "  hair render --style curly --motion dance.bvh --frames 300 --out frame300.exr\n"
+      "  hair render --light 0.9,-0.3,-0.3,1.3,0.7,0.3 --point -0.5,1.8,0.3,0.3,0.6,1.2 --out "
+      "a.png\n"
+      "In a picture head and body shadow the hair for every light; the first four lights shine\n"
+      "on head, body and floor, where one at a point casts shadows within 75 degrees of the way\n"
+      "to the head.");
   command->callback([options, &run] { run = [options] { runRender(*options); }; });
-}
-
-void addMeasure(CLI::App& app, Run& run, const std::string& commandLine) {
-  auto options = std::make_shared<MeasureOptions>();
-  options->commandLine = commandLine;
-  CLI::App* command = app.add_subcommand(
-      "measure", "Measure error, time and memory of all shadow methods against ray-traced truth");
-  addHairOptions(*command, options->subject);
-  command
-      ->add_option("--width", options->width,
-                   "of a strand, metres; default: the file's thickness or 80e-6, or the style's "
-                   "hair width times the hairs a strand stands for")
-      ->check(within(1e-7, 0.1));
-  command
-      ->add_option("--alpha", options->alpha, "how opaque a strand is; default 0.6, or the style's")
-      ->check(within(1e-4, 1));
-  addVectors(*command, "--light", options->lights,
-             "the way a light at infinity travels; again for more lights; default 0.45,-0.8,-0.4");
-  addVectors(*command, "--point", options->lamps,
-             "where a light at a point is, metres; again for more");
-  command
-      ->add_option("--footprint", options->footprints,
-                   "radius of the disc that shadows are averaged over, metres; again for more; "
-                   "default 3e-3")
-      ->expected(1)
-      ->take_all()
-      ->check(within(1e-6, 1));
-  command->add_option("--samples", options->samples, "points that are compared; default 4000")
-      ->check(CLI::Range(1, 10'000'000));
-  command->add_option("--rays", options->rays, "of the truth, a sample; default 2048")
-      ->check(CLI::Range(2, 100'000'000));
-  command->add_option("--seed", options->seed, "of the choice of samples and rays; default 1");
-  command->add_option("--methods", options->methods,
-                      "all (default), quick (each once), or names with commas between: auto, "
-                      "density-map, shadow-map, opacity-map, deep-opacity-map, "
-                      "density-clustering, deep-shadow-map");
-  command->add_option(
-      "--max-error", options->maxError,
-      "choose the fastest method and settings with at most this mean absolute error, "
-      "say what is predicted of them and measure them as `chosen`");
-  command->add_option("--budget-ms", options->budgetMs,
-                      "choose the most accurate that builds and samples in so many milliseconds; "
-                      "with --max-error: a limit of that choice too");
-  command
-      ->add_option("--repeats", options->repeats,
-                   "timed runs of each method and setting, of which the median counts; default 5")
-      ->check(CLI::Range(1, 10'000));
-  command
-      ->add_option("--flicker-steps", options->flickerSteps,
-                   "steps of 0.1 degree that the light turns to see what flickers; 0: none; "
-                   "default 20")
-      ->check(CLI::Range(0, 10'000));
-  command->add_option("--threads", options->threads, "0, the default: as many as the machine has")
-      ->check(CLI::Range(0, 1024));
-  command->add_option("--csv", options->csv, "a row a method, setting, light and footprint")
-      ->check(endsWith(".csv"));
-  command
-      ->add_option("--dump", options->dump,
-                   "a row a sample: strand,point,x,y,z,truth,truth_se, then each method and "
-                   "setting; one light and one footprint only")
-      ->check(endsWith(".csv"));
-  command->add_option("--html", options->html, "a report with plots and pictures, one file")
-      ->check(endsWith(".html"));
-  command->footer(
-      "Examples:\n"
-      "  hair measure --style smooth --methods quick\n"
-      "  hair measure --hair straight.hair --width 0.465e-3 --alpha 0.64 --html straight.html\n"
-      "  hair measure --style curly --light 0,-1,0 --point 0.5,1,0.5 --footprint 3e-3 \\\n"
-      "      --footprint 1e-2 --csv curly.csv --html curly.html\n"
-      "  hair measure --style curly --methods auto --max-error 0.015\n"
-      "Errors are of transmittance: 0 is dark, 1 is lit.");
-  command->callback([options, &run] { run = [options] { runMeasure(*options); }; });
 }
 
 // As it would be typed again.
@@ -222,6 +152,8 @@ int program(int argc, char** argv) {
   addSimulate(app, run);
   addRender(app, run);
   addMeasure(app, run, commandLineOf(argc, argv));
+  addMeasureMotion(app, run);
+  addPlan(app, run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include <apps/common/progress.h>
@@ -22,7 +23,7 @@ namespace hair {
 namespace {
 
 constexpr std::size_t kRaySteps = 240;
-constexpr std::size_t kTruthFlickerPoints = 256;  // of the samples; the truth is slow
+constexpr std::size_t kTruthFlickerPoints = 128;  // of the samples; the truth is slow
 constexpr glm::vec3 kUsualLight{0.45f, -0.8f, -0.4f};
 
 // "deep-opacity-map,auto" to "deep opacity map", "auto"; none: all methods.
@@ -64,6 +65,8 @@ void checkOptions(const MeasureOptions& options) {
   for (const float footprint : options.footprints)
     require(std::isfinite(footprint) && footprint > 0, "--footprint: ", footprint,
             " m is not positive");
+  require(options.flickerSteps != 1,
+          "--flicker-steps: 1 step shows no flicker; 0 for none, or 2 or more");
   const std::size_t cases = std::max<std::size_t>(options.lights.size() + options.lamps.size(), 1) *
                             options.footprints.size();
   require(options.dump.empty() || cases == 1, "--dump: ", cases,
@@ -110,6 +113,26 @@ void measureFlicker(const MeasureReport& report, const FibreTracer& tracer,
   progress.step();
 }
 
+// In pieces, so that one sees how far it is. A point's rays depend on the point alone: the bits are
+// those of one piece.
+Truth traceTruth(const MeasureReport& report, const FibreTracer& tracer, const LightSpace& light,
+                 const TruthSettings& settings) {
+  const std::span<const SamplePoint> points = report.points;
+  const std::size_t piece = std::max<std::size_t>(1, (std::size_t{1} << 20) / settings.rays);
+  Truth truth;
+  Progress progress("truth", static_cast<std::int64_t>(points.size()));
+  for (std::size_t first = 0; first < points.size(); first += piece) {
+    const auto part = points.subspan(first, std::min(piece, points.size() - first));
+    const Truth traced = exactTransmittance(tracer, report.hair.fibre, light, part, settings);
+    truth.transmittance.insert(truth.transmittance.end(), traced.transmittance.begin(),
+                               traced.transmittance.end());
+    truth.standardError.insert(truth.standardError.end(), traced.standardError.begin(),
+                               traced.standardError.end());
+    progress.step(static_cast<std::int64_t>(part.size()));
+  }
+  return truth;
+}
+
 MeasuredCase measureCase(const MeasureReport& report, const FibreTracer& tracer,
                          const MeasuredLight& light, float footprint,
                          const std::set<std::string>& wanted,
@@ -124,9 +147,8 @@ MeasuredCase measureCase(const MeasureReport& report, const FibreTracer& tracer,
     measured.choice =
         addChoice(report, light.space, footprint, *budgetOf(options), *machine, candidates);
   const TruthSettings truth{footprint, options.rays, options.seed};
-  std::cerr << light.name() << ", footprint " << footprint << " m: tracing "
-            << static_cast<double>(report.points.size()) * options.rays * 1e-6 << " million rays\n";
-  measured.truth = exactTransmittance(tracer, hair.fibre, light.space, report.points, truth);
+  std::cerr << light.name() << ", footprint " << footprint << " m\n";
+  measured.truth = traceTruth(report, tracer, light.space, truth);
 
   if (!options.html.empty()) {
     const glm::vec3 thick =
@@ -147,7 +169,7 @@ MeasuredCase measureCase(const MeasureReport& report, const FibreTracer& tracer,
   measured.best = bestOfEachMethod(measured.trials);
   require(!measured.best.empty(), light.name(), ", footprint ", footprint,
           " m: no method can shadow this hair: ", measured.trials.front().failure);
-  if (options.flickerSteps >= 2) measureFlicker(report, tracer, truth, measured);
+  if (options.flickerSteps > 0) measureFlicker(report, tracer, truth, measured);
   return measured;
 }
 

@@ -98,7 +98,8 @@ Axis logAxis(double lowest, double highest, double from, double to) {
     for (int digit = 1; digit <= 9; ++digit) {
       const double value = digit * std::pow(10.0, power);
       if (value < axis.lowest * 0.999999 || value > axis.highest * 1.000001) continue;
-      const bool labelled = digit == 1 || ((digit == 2 || digit == 5) && decade > 90);
+      const bool labelled = digit == 1 || ((digit == 2 || digit == 5) && decade > 90) ||
+                            ((digit == 3 || digit == 7) && decade > 300);
       axis.ticks.push_back({value, labelled ? brief(value) : ""});
     }
   return axis;

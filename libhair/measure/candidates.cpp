@@ -52,15 +52,24 @@ DensityMapSettings densityMap(float cellSize, float extent, Deposit deposit, Fil
   return settings;
 }
 
+DensityMapSettings footprintMap(float cellSize, float footprint, float extent) {
+  // The filter reads beyond the hair, and must not meet its other side there.
+  const float reach = 2 * (footprint + cellSize);
+  DensityMapSettings settings =
+      densityMap(cellSize, extent + reach, Deposit::Segments, Filter::Footprint);
+  settings.footprint = footprint;
+  return settings;
+}
+
 void addDensityMaps(float footprint, float extent, CandidateSet set, List& list) {
   if (set == CandidateSet::Quick) {
-    list.add(densityMap(footprint, extent, Deposit::Trilinear, Filter::Centred));
+    list.add(footprintMap(footprint * 2 / 3, footprint, extent));
     return;
   }
   // The paper's own: 128 cells over the hair and a margin, a count a point (section 4.3).
   DensityMapSettings paper;
   paper.cells = 128;
-  paper.cellSize = extent / 126;
+  paper.cellSize = std::ceil(extent / 126 * 1e5f) * 1e-5f;  // so that its name is short
   paper.deposit = Deposit::Points;
   paper.filter = Filter::Paper;
   list.add(paper);
@@ -73,14 +82,8 @@ void addDensityMaps(float footprint, float extent, CandidateSet set, List& list)
     list.add(densityMap(part * footprint, extent, Deposit::Segments, Filter::Centred));
   for (const float part : {0.5f, 2.0f / 3, 1.0f, 1.5f, 2.0f, 3.0f})
     list.add(densityMap(part * footprint, extent, Deposit::Trilinear, Filter::Centred));
-  // Room for the filter, which reads beyond the hair.
-  for (const float part : {1.0f / 3, 0.5f, 2.0f / 3, 1.0f}) {
-    const float cell = part * footprint;
-    DensityMapSettings settings =
-        densityMap(cell, extent + 6 * cell, Deposit::Segments, Filter::Footprint);
-    settings.footprint = footprint;
-    list.add(settings);
-  }
+  for (const float part : {1.0f / 3, 0.5f, 2.0f / 3, 1.0f})
+    list.add(footprintMap(part * footprint, footprint, extent));
 }
 
 void addShadowMaps(float footprint, CandidateSet set, List& list) {

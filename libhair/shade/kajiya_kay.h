@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/strands.h>
+#include <libhair/shadow/light.h>
 
 namespace hair {
 
@@ -14,7 +15,7 @@ struct KajiyaKaySettings {
   glm::vec3 rootColour{0.115f, 0.055f, 0.026f};
   glm::vec3 tipColour{0.19f, 0.098f, 0.047f};  ///< in between linear along the strand
   float variation = 0.25f;  ///< strands are up to this part lighter or darker, [0, 1]
-  float ambient = 0.25f;    ///< of the colour, lit from everywhere
+  float ambient = 0.25f;    ///< of the colour, lit from everywhere by white light
   float diffuse = 1.0f;     ///< of the colour, times the sine of the angle to the light
   float specular = 0.16f;   ///< of white, at the peak of the first highlight
   float exponent = 48.0f;   ///< of the first highlight; larger is narrower
@@ -29,22 +30,30 @@ struct KajiyaKaySettings {
   static KajiyaKaySettings plain();
 };
 
-struct ShadeLight {
-  glm::vec3 direction{0, -1, 0};  ///< the way light travels, unit
-  glm::vec3 colour{1};            ///< linear
+/// What lights the hair, and where it is seen from. Refers to the caller's arrays.
+struct Illumination {
+  std::span<const Light> lights;  ///< empty: ambient light only
+  glm::vec3 pivot{0};             ///< where the colours of lights at points are given (Light)
   glm::vec3 eye{0, 0, 1};         ///< where the picture is taken from, metres
+  /// [lights · pointCount] T of the first light's points, then of the second's; or empty: no
+  /// shadows, T = 1.
+  std::span<const float> transmittance;
+  /// [lights · pointCount] V, what opaque things (head, body) leave of each light; or empty: all.
+  std::span<const float> visibility;
 };
 
-/// Colours of all points (Bertails et al. 2005, section 3.3):
+/// Colours of all points (Bertails et al. 2005, section 3.3), summed over the lights l:
 ///
-///   Phi = Phi_ambient + T · (Phi_diffuse + Phi_specular)
+///   Phi = Phi_ambient + sum_l T_l · V_l · E_l · (Phi_diffuse,l + Phi_specular,l)
 ///
-/// `transmittance`: [pointCount] T, or empty: no shadows, T = 1. `visibility`: [pointCount], what
-/// opaque things (head, body) leave of the light, or empty: all of it; T is multiplied by it.
+/// with E_l the light's colour, of a light at a point times (its distance from the pivot / its
+/// distance from the point)², where hair nearer than a centimetre gets what a centimetre would.
+/// Ambient light belongs to no light and is white. Everything before the sRGB encoding is linear in
+/// the lights: colours of one alone and another alone add up, less the ambient one.
 /// `out`: [pointCount] sRGB, bytes in memory R, G, B, A with A = 255.
 /// A strand of one point has no direction and is drawn in its ambient colour.
-void shadeKajiyaKay(StrandView strands, std::span<const float> transmittance,
-                    std::span<const float> visibility, const ShadeLight& light,
+/// Throws Error where arrays do not fit, and as lightSpaceOf does.
+void shadeKajiyaKay(StrandView strands, const Illumination& illumination,
                     const KajiyaKaySettings& settings, std::span<std::uint32_t> out);
 
 }  // namespace hair

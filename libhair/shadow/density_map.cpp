@@ -2,22 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <new>
 
 #include <libhair/core/error.h>
-#include <libhair/core/parallel.h>
 
 namespace hair {
-
-template <class T>
-ZeroedArray<T>::ZeroedArray(std::size_t count)
-    : data_(static_cast<T*>(std::calloc(count, sizeof(T)))) {
-  if (!data_) throw std::bad_alloc();
-}
-template class ZeroedArray<std::uint8_t>;
-template class ZeroedArray<std::uint32_t>;
-template class ZeroedArray<float>;
 
 namespace {
 
@@ -30,16 +18,6 @@ void validate(const DensityMapSettings& s) {
           " m; take larger cells");
   require(s.pointExtinction >= 0 && std::isfinite(s.pointExtinction),
           "density map: point extinction ", s.pointExtinction, " is negative or not finite");
-}
-
-void allocate(DensityMap& map, int cells) {
-  const auto n = static_cast<std::size_t>(cells);
-  map.counts = ZeroedArray<std::uint32_t>(n * n * n);
-  map.touched = ZeroedArray<std::uint8_t>(n * n);
-  map.saturation = ZeroedArray<std::uint32_t>((n * n * n + 31) / 32);
-  map.transmittance = ZeroedArray<float>(n * n * n + n);
-  std::fill_n(map.transmittance.data() + n * n * n, n, 1.0f);
-  map.rowOf.assign((n + 1) * n, static_cast<std::uint32_t>(n * n * n));
 }
 
 }  // namespace
@@ -71,36 +49,23 @@ bool DensityMap::aliased() const {
 }
 
 std::size_t DensityMap::bytes() const {
-  if (!counts.data()) return 0;
-  const auto n = static_cast<std::size_t>(settings.cells);
-  std::size_t rows = 1;
-  for (std::size_t row = 0; row < n * n; ++row) rows += touched.data()[row];
-  return rows * n * (sizeof(std::uint32_t) + sizeof(float)) + n * n +
-         rowOf.size() * sizeof(std::uint32_t);
+  return bricks.bytes() + (bricks.size() + 1) * brick::kCells * sizeof(float) +
+         lightIn.size() * sizeof(lightIn[0]) + lightHere.size() * sizeof(lightHere[0]);
 }
 
 float DensityMap::density(glm::ivec3 cell) const {
   if (glm::any(glm::lessThan(cell, lower)) || glm::any(glm::greaterThan(cell, upper))) return 0;
   const float volume = settings.cellSize * settings.cellSize * settings.cellSize;
-  return static_cast<float>(counts.data()[index(cell)]) * (quantum / volume);
+  return static_cast<float>(count(cell)) * (quantum / volume);
 }
 
 void clear(DensityMap& map, const DensityMapSettings& settings, const LightSpace& light) {
   validate(settings);
-  const auto n = static_cast<std::size_t>(settings.cells);
-  if (!map.counts.data() || map.settings.cells != settings.cells) {
-    allocate(map, settings.cells);
+  if (!map.bricks.valid() || map.settings.cells != settings.cells) {
+    map.bricks = BrickStore(settings.cells);
+    map.workers.clear();
   } else {
-    parallelFor(n, 8, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t row = begin * n; row < end * n; ++row) {
-        if (!map.touched.data()[row]) continue;
-        std::memset(map.counts.data() + row * n, 0, n * sizeof(std::uint32_t));
-        map.touched.data()[row] = 0;
-      }
-    });
-    if (map.saturatedCells > 0) {
-      std::memset(map.saturation.data(), 0, (n * n * n + 31) / 32 * sizeof(std::uint32_t));
-    }
+    map.bricks.clear();
   }
   map.saturatedCells = 0;
   map.settings = settings;
@@ -118,15 +83,13 @@ DensitySample sampleDensity(const DensityMap& map, glm::vec3 p) {
   const glm::ivec3 c(floorToInt(u.x), floorToInt(u.y), floorToInt(u.z));
   const glm::vec3 f = u - glm::vec3(c);
   // As DensityMap::density of the eight cells, each axis wrapped once.
-  const auto n = static_cast<std::size_t>(map.settings.cells);
-  std::size_t at[3][2];
-  bool inside[3][2];
-  for (int axis = 0; axis < 3; ++axis)
-    for (int k = 0; k < 2; ++k) {
-      const int cell = c[axis] + k;
-      inside[axis][k] = cell >= map.lower[axis] && cell <= map.upper[axis];
-      at[axis][k] = static_cast<std::size_t>(map.wrap(map.frame.base[axis] + cell));
-    }
+  glm::ivec3 at[2];
+  glm::bvec3 inside[2];
+  for (int k = 0; k < 2; ++k) {
+    at[k] = map.wrap(c + k);
+    inside[k] = glm::bvec3(glm::ivec3(glm::greaterThanEqual(c + k, map.lower)) *
+                           glm::ivec3(glm::lessThanEqual(c + k, map.upper)));
+  }
   const float cellSize = map.settings.cellSize;
   const float perCount = map.quantum / (cellSize * cellSize * cellSize);
   float d[2][2][2];
@@ -134,9 +97,8 @@ DensitySample sampleDensity(const DensityMap& map, glm::vec3 p) {
     for (int y = 0; y < 2; ++y)
       for (int z = 0; z < 2; ++z)
         d[x][y][z] =
-            inside[0][x] && inside[1][y] && inside[2][z]
-                ? static_cast<float>(map.counts.data()[(at[0][x] * n + at[2][z]) * n + at[1][y]]) *
-                      perCount
+            inside[x].x && inside[y].y && inside[z].z
+                ? static_cast<float>(map.bricks.count({at[x].x, at[y].y, at[z].z})) * perCount
                 : 0.0f;
   // Along z, then y, then x; a derivative replaces the mean of two values by their difference.
   float alongZ[2][2], alongY[2], acrossY[2], acrossZ[2];

@@ -3,13 +3,12 @@
 #include <climits>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
 
+#include <libhair/shadow/brick_store.h>
 #include <libhair/shadow/light_space.h>
 
 namespace hair {
@@ -17,6 +16,7 @@ namespace hair {
 /// How strands are written into the map.
 enum class Deposit {
   Points,     ///< the paper: every point adds one count to its cell
+  Samples,    ///< segments in pieces of a cell's length, each left in the cell of its middle
   Segments,   ///< every segment adds to each cell that it crosses what lies inside
   Trilinear,  ///< samples of every segment, spread over the eight nearest cells
 };
@@ -65,39 +65,21 @@ inline float mapExtentNeeded(float longestStrand, float headSize) {
 /// not have. Accurate settings: automaticMapSettings.
 DensityMapSettings settingsForFootprint(float footprint, float extentNeeded, int mostCells = 256);
 
-/// A zeroed array whose untouched pages cost neither time nor memory.
-template <class T>
-class ZeroedArray {
- public:
-  ZeroedArray() = default;
-  explicit ZeroedArray(std::size_t count);
-  T* data() const { return data_.get(); }
-
- private:
-  struct Free {
-    void operator()(T* p) const { std::free(p); }
-  };
-  std::unique_ptr<T, Free> data_;
-};
-
 /// Hair density and transmittance on a light-oriented grid (Bertails et al. 2005, section 2).
 ///
 /// Life of a frame: clear() -> deposit() -> computeTransmittance() -> sampleTransmittance(). A map
 /// for self-collision stops after deposit() and is read with density() and sampleDensity().
 ///
-///            light  →  →  →                cell (i, j, k), wrapped to [0, n)³, is at
-///         i = first                        index (i·n + k)·n + j:
-///           +-----+-----+-----+
-///        k  | row | row | row |            j, across the light, is contiguous: a *row*;
-///        ↓  +-----+-----+-----+            k, across the light too, steps from row to row;
-///           | row |  -  | row |            i, along the light, steps from slice to slice.
-///           +-----+-----+-----+
-///            slice → slice                 Transmittance walks slice by slice with whole rows at
-///                                          a time: no strides, no shuffles, rows are lanes.
+/// Cells stand in bricks (brick_store.h), and only those that hold hair: memory, clearing and the
+/// walk along the light cost what the hair costs, not what the volume does.
 ///
-/// Rows that no hair touches (most of them) are neither cleared nor written: `rowOf` says for each
-/// slice, counted from the light, and each k, where the transmittance of that row stands: its own,
-/// or that of the nearest touched row towards the light, or the row of ones at the end.
+///      light → → →    a column of bricks: 4 slices deep, 4 × 16 cells across
+///     +----+----+----+----+----+
+///     |    | B0 |    |    | B1 |      `lightIn` says for each brick of the column, counted from
+///     the
+///     +----+----+----+----+----+      light, where its transmittance stands: in the brick itself
+///      ones  B0   B0'  B0'  B1        (B0, B1), or, where none is, in the last slice of the last
+///                                     one towards the light (B0'), or in the brick of ones.
 ///
 /// The modulo of the paper only decides where a cell is stored. The map remembers the bounds of
 /// what was deposited in unwrapped cells, so that the slice nearest to the light is known, and a
@@ -112,12 +94,12 @@ struct DensityMap {
   // Unwrapped cells that hold hair; lower > upper while there is none.
   glm::ivec3 lower{INT_MAX}, upper{INT_MIN};
 
-  ZeroedArray<std::uint32_t> counts;      ///< [cells³], fixed-point density
-  ZeroedArray<std::uint8_t> touched;      ///< [cells²], row i·n + k holds something
-  ZeroedArray<std::uint32_t> saturation;  ///< [cells³ / 32] bits: the count did not fit
-  std::uint32_t saturatedCells = 0;       ///< set bits; their counts stand at 2^32 - 1
-  ZeroedArray<float> transmittance;       ///< [cells³ + cells]; the last row is all ones
-  std::vector<std::uint32_t> rowOf;       ///< [(cells + 1) · cells], slice 0 is before all hair
+  BrickStore bricks;                   ///< counts: fixed-point density
+  std::vector<BrickStore> workers;     ///< what other threads deposited, before it was added up
+  std::uint32_t saturatedCells = 0;    ///< whose sum did not fit; they stand at 2^32 - 1
+  Transmittances transmittances;       ///< of the bricks
+  std::vector<std::uint32_t> lightIn;  ///< [runs][across] codes, see Transmittances
+  std::vector<float> lightHere;        ///< [across · brick::kLayer], of the walk along the light
 
   bool empty() const { return lower.x > upper.x; }
   /// Slices between the first and the last that hold hair, at most `cells`.
@@ -125,7 +107,8 @@ struct DensityMap {
   /// The hair is larger than the map: its ends share cells, shadows are wrong there. Take more or
   /// larger cells (mapExtentNeeded).
   bool aliased() const;
-  /// Memory in use: rows that hold something (others were never touched), and the tables.
+  /// Memory of what it holds. Room for more of it, and for what other threads write, is kept beside
+  /// that: at most four times as much again, and as much a thread.
   std::size_t bytes() const;
 
   int wrap(int i) const {
@@ -140,14 +123,12 @@ struct DensityMap {
     i %= n;
     return i < 0 ? i + n : i;
   }
-  /// Where an unwrapped cell is stored.
-  std::size_t index(glm::ivec3 cell) const {
-    const auto n = static_cast<std::size_t>(settings.cells);
-    const auto i = static_cast<std::size_t>(wrap(frame.base.x + cell.x));
-    const auto j = static_cast<std::size_t>(wrap(frame.base.y + cell.y));
-    const auto k = static_cast<std::size_t>(wrap(frame.base.z + cell.z));
-    return (i * n + k) * n + j;
+  /// The paper's Psi: where an unwrapped cell is stored, [0, cells) an axis.
+  glm::ivec3 wrap(glm::ivec3 cell) const {
+    return {wrap(frame.base.x + cell.x), wrap(frame.base.y + cell.y), wrap(frame.base.z + cell.z)};
   }
+  /// What was deposited in an unwrapped cell, times `quantum`.
+  std::uint32_t count(glm::ivec3 cell) const { return bricks.count(wrap(cell)); }
 
   /// The unwrapped cell of a point.
   glm::ivec3 cellOf(glm::vec3 p) const {
@@ -160,8 +141,8 @@ struct DensityMap {
   float density(glm::ivec3 cell) const;
 };
 
-/// Forgets what was deposited (touched rows only), and sets light and settings for what comes.
-/// Allocates only when the number of cells changes. Throws Error for settings out of range.
+/// Forgets what was deposited, and sets light and settings for what comes. Keeps its memory as long
+/// as the number of cells stays. Throws Error for settings out of range.
 void clear(DensityMap& map, const DensityMapSettings& settings, const LightSpace& light);
 
 /// Density at a point, trilinear between cell centres, and its gradient.

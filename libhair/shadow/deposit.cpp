@@ -1,11 +1,9 @@
 #include <libhair/shadow/deposit.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include <libhair/core/error.h>
-#include <libhair/core/parallel.h>
 #include <libhair/shadow/cell_batch.h>
 #include <libhair/shadow/cell_walk.h>
 #include <libhair/shadow/cell_writer.h>
@@ -18,10 +16,6 @@ namespace {
 std::uint32_t toCount(float amount) {
   return amount >= 4294967040.0f ? kFull
                                  : static_cast<std::uint32_t>(static_cast<std::int64_t>(amount));
-}
-
-std::uint32_t addSaturating(std::uint32_t a, std::uint32_t b) {
-  return a > kFull - b ? kFull : a + b;
 }
 
 /// Rounds the amounts of one strand to counts, handing what rounding took or gave on to the next:
@@ -156,24 +150,46 @@ void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, floa
   writer.add(at, pending);
 }
 
-template <class Writer>
-void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, float longest,
-                      const CellFrame& frame, Writer& writer) {
+/// One piece of a segment for each cell that it advances along its fastest axis, left whole in the
+/// cell of its middle. Calls visit(a, d, pieces, amount) for each segment a to a + d.
+template <class Writer, class Visit>
+void forPieces(std::span<const glm::vec3> points, float margin, SegmentScale scale, float longest,
+               const CellFrame& frame, Writer& writer, Visit&& visit) {
   glm::vec3 a(0);
-  Rounder rounder;
   bool first = true;
-  forCells(points, 0.5f, frame, writer, [&](glm::vec3 b, glm::ivec3) {
+  forCells(points, margin, frame, writer, [&](glm::vec3 b, glm::ivec3) {
     const glm::vec3 d = b - a;
-    // One sample a cell: the spread is as wide as that.
     const float way = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    const int samples = first ? 0 : static_cast<int>(std::min(way, longest)) + 1;
-    const float each = 1.0f / static_cast<float>(std::max(samples, 1));
-    for (int s = 0; s < samples; ++s)
-      spread(a + d * ((static_cast<float>(s) + 0.5f) * each),
-             rounder.take(scale.amount(a, b) * each), writer);
+    if (!first) visit(a, d, static_cast<int>(std::min(way, longest)) + 1, scale.amount(a, b));
     a = b;
     first = false;
   });
+}
+
+template <class Writer>
+void depositSamples(std::span<const glm::vec3> points, SegmentScale scale, float longest,
+                    const CellFrame& frame, Writer& writer) {
+  Rounder rounder;
+  const auto visit = [&](glm::vec3 a, glm::vec3 d, int pieces, float amount) {
+    const std::uint32_t count = rounder.take(amount), n = static_cast<std::uint32_t>(pieces);
+    const std::uint32_t each = count / n, more = count % n;
+    const glm::vec3 step = d * (1.0f / static_cast<float>(pieces)), middle = a + 0.5f * step;
+    for (std::uint32_t s = 0; s < n; ++s)
+      writer.add(floorToCell(middle + static_cast<float>(s) * step), each + (s < more ? 1 : 0));
+  };
+  forPieces(points, 0.0f, scale, longest, frame, writer, visit);
+}
+
+template <class Writer>
+void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, float longest,
+                      const CellFrame& frame, Writer& writer) {
+  Rounder rounder;
+  const auto visit = [&](glm::vec3 a, glm::vec3 d, int pieces, float amount) {
+    const float each = 1.0f / static_cast<float>(pieces);
+    for (int s = 0; s < pieces; ++s)
+      spread(a + d * ((static_cast<float>(s) + 0.5f) * each), rounder.take(amount * each), writer);
+  };
+  forPieces(points, 0.5f, scale, longest, frame, writer, visit);
 }
 
 /// Length of hair that a point stands for: the mean over at most 256 strands in a fixed order.
@@ -200,7 +216,6 @@ float pointQuantum(StrandView strands, const Fibre& fibre, const DensityMapSetti
          (ds * ds);
 }
 
-template <bool kShared>
 void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t stride) {
   const DensityMapSettings& settings = map.settings;
   const CellFrame& frame = map.frame;
@@ -216,13 +231,15 @@ void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t 
                               : fibre.width * fibre.hairsPerStrand * extinctionOf(fibre, cell) / ds;
   const SegmentScale scale{perStrand * static_cast<float>(stride) / kQuantum, !length, frame};
   const std::size_t read = (strands.strandCount() + stride - 1) / stride;
-  parallelFor(read, 32, [&](std::size_t begin, std::size_t end) {
-    CellWriter<kShared> writer(map);
+  writeCells(read, 32, map, [&](CellWriter& writer, std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const auto points = strands.strand(r * stride);
       switch (settings.deposit) {
         case Deposit::Points:
           depositPoints(points, stride, frame, writer);
+          break;
+        case Deposit::Samples:
+          depositSamples(points, scale, longest, frame, writer);
           break;
         case Deposit::Segments:
           depositSegments(points, scale, longest, frame, writer);
@@ -238,7 +255,7 @@ void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t 
 }  // namespace
 
 void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t strandStride) {
-  require(map.counts.data() != nullptr, "deposit: clear() the density map first");
+  require(map.bricks.valid(), "deposit: clear() the density map first");
   require(strandStride > 0, "deposit: strand stride is 0");
   require(fibre.width >= 0 && fibre.opacity >= 0 && fibre.hairsPerStrand >= 0 &&
               std::isfinite(fibre.width * fibre.opacity * fibre.hairsPerStrand),
@@ -256,15 +273,7 @@ void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint3
         settings.deposit == Deposit::Points ? pointQuantum(strands, fibre, settings) : kQuantum;
   }
   map.fibreShadow = std::max(map.fibreShadow, fibre.width * extinctionOf(fibre, settings.cellSize));
-  if (threadCount() > 1)
-    run<true>(strands, fibre, map, strandStride);
-  else
-    run<false>(strands, fibre, map, strandStride);
-  if (map.saturatedCells == 0) return;
-  const auto n = static_cast<std::size_t>(settings.cells);
-  for (std::size_t word = 0; word < (n * n * n + 31) / 32; ++word)
-    for (std::uint32_t bits = map.saturation.data()[word]; bits != 0; bits &= bits - 1)
-      map.counts.data()[word * 32 + static_cast<std::size_t>(std::countr_zero(bits))] = kFull;
+  run(strands, fibre, map, strandStride);
 }
 
 }  // namespace hair

@@ -15,7 +15,7 @@ namespace hair {
 ///
 ///   l · sin(theta) · w · hairsPerStrand · extinctionOf(fibre, ds) / ds²
 ///
-/// to the optical depth of its column (Segments, Trilinear), or l · hairsPerStrand metres
+/// to the optical depth of its column (Samples, Segments, Trilinear), or l · hairsPerStrand metres
 /// (Quantity::Length, parallel light only). Deposit::Points adds one count per point instead, each
 /// worth f · ds.
 /// Only every strandStride-th strand is read, and counts for that many.

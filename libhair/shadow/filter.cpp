@@ -19,25 +19,134 @@ float between(float a, float b, float t) {
   return a + t * (b - a);
 }
 
+/// Where the transmittance of one slice of the map stands: the codes of its run, and which slice of
+/// their bricks.
+struct Slice {
+  const std::uint32_t* codes;  // [across]
+  std::uint32_t inBrick;
+};
+
+/// Looks up rows of 16 cells.
+class Rows {
+ public:
+  explicit Rows(const DensityMap& map)
+      : map_(map),
+        n_(map.settings.cells),
+        begin_(map.wrap(map.frame.base.x + map.lower.x)),
+        depth_(map.depth()),
+        perRow_(static_cast<std::size_t>(map.bricks.perAxis().y)),
+        aliased_(map.aliased()) {}
+
+  /// The unwrapped slice i: in front of the hair that before it, behind the hair its last one.
+  Slice slice(int i) const {
+    int s = i - map_.lower.x;
+    // Hair deeper than the map: its far end is stored in the slices of its near end (paper, Psi).
+    if (aliased_ && s >= n_) s %= n_;
+    s = std::min(s, depth_ - 1);
+    if (s < 0) return {map_.lightIn.data(), 0};
+    const int turned = begin_ + s - n_;  // where the modulo comes round, another run begins
+    const int wrapped = turned < 0 ? begin_ + s : turned;
+    const int run = turned < 0
+                        ? wrapped / brick::kX - begin_ / brick::kX
+                        : (n_ - 1) / brick::kX - begin_ / brick::kX + 1 + wrapped / brick::kX;
+    return {map_.lightIn.data() + (static_cast<std::size_t>(run) + 1) * map_.bricks.across(),
+            static_cast<std::uint32_t>(wrapped % brick::kX)};
+  }
+  bool lit(Slice s) const { return s.codes == map_.lightIn.data(); }
+
+  /// Cells of wrapped k, brick y along the row.
+  const float* row(Slice s, int k, int y) const {
+    const std::uint32_t code =
+        s.codes[static_cast<std::size_t>(k / brick::kZ) * perRow_ + static_cast<std::size_t>(y)];
+    return map_.transmittances.row(code, s.inBrick, k % brick::kZ);
+  }
+  float value(Slice s, int j, int k) const { return row(s, k, j / brick::kY)[j % brick::kY]; }
+
+ private:
+  const DensityMap& map_;
+  int n_, begin_, depth_;
+  std::size_t perRow_;
+  bool aliased_;
+};
+
+inline const Lanes kCount = {0, 1, 2, 3, 4, 5, 6, 7};
+
+/// The mean of darkness, 1 - transmittance, over the kernel: light itself comes out as exactly 0
+/// however the weights round. Rows of cells are summed up as they lie in their bricks, the weights
+/// along them, which all rows share, come last.
+class FootprintSum {
+ public:
+  /// Of the unwrapped cells from `first` to `last` along rows, for a point at y.
+  FootprintSum(int first, int last, float y, const FootprintKernel& kernel, const DensityMap& map) {
+    const int n = map.settings.cells;
+    for (int j = first; j <= last;) {
+      const int wrapped = map.wrap(map.frame.base.y + j);
+      const int from = wrapped % brick::kY;
+      const int cells = std::min({brick::kY - from, n - wrapped, last - j + 1});
+      Piece& piece = pieces_[count_++];
+      piece.brick = wrapped / brick::kY;
+      for (std::size_t half = 0; half < 2; ++half) {
+        const Lanes lane = kCount + static_cast<float>(static_cast<int>(half * kLanes) - from);
+        const Lanes w = kernel.weights(y - static_cast<float>(j) - lane);
+        // Other cells of the brick are no neighbours where the modulo comes round.
+        const Lanes zero{};
+        piece.weights[half] = lane < 0 ? zero : lane < static_cast<float>(cells) ? w : zero;
+        piece.dark[half] = zero;
+      }
+      j += cells;
+    }
+  }
+
+  /// Row k, between two slices, `part` of the way from front to back.
+  void add(const Rows& rows, Slice front, Slice back, float part, int k, float weight) {
+    for (std::size_t p = 0; p < count_; ++p) {
+      const float* f = rows.row(front, k, pieces_[p].brick);
+      const float* b = rows.row(back, k, pieces_[p].brick);
+      for (std::size_t half = 0; half < 2; ++half) {
+        Lanes atFront, atBack;
+        std::memcpy(&atFront, f + half * kLanes, sizeof atFront);
+        std::memcpy(&atBack, b + half * kLanes, sizeof atBack);
+        const Lanes t = atFront + part * (atBack - atFront);
+        pieces_[p].dark[half] += weight * (1.0f - t);
+      }
+    }
+  }
+
+  float darkness() const {
+    Lanes sum{};
+    for (std::size_t p = 0; p < count_; ++p)
+      for (std::size_t half = 0; half < 2; ++half)
+        sum += pieces_[p].weights[half] * pieces_[p].dark[half];
+    return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+  }
+
+ private:
+  static_assert(brick::kY == 2 * kLanes);
+  struct Piece {
+    int brick;
+    Lanes weights[2], dark[2];
+  };
+  // 2 h + 2 <= 20 cells; a map of two cells comes round ten times.
+  static constexpr std::size_t kMostPieces = 12;
+  Piece pieces_[kMostPieces];
+  std::size_t count_ = 0;
+};
+
 class Sampler {
  public:
   explicit Sampler(const DensityMap& map)
-      : map_(map),
-        n_(map.settings.cells),
-        first_(map.lower.x),
-        depth_(map.depth()),
-        aliased_(map.aliased()),
-        kernel_(map.settings) {}
+      : map_(map), n_(map.settings.cells), rows_(map), kernel_(map.settings) {}
 
   /// The values of the points' own cells; at most a batch of points.
   void own(std::span<const glm::vec3> points, std::span<float> out) const {
     CellBatch c;
     c.fill(map_.frame, points, glm::vec3(0));
     for (std::size_t p = 0; p < points.size(); ++p) {
-      const int i = beside(c.j[p], c.j[p], c.k[p], c.k[p]) ? 0 : slice(c.i[p]);
-      const int j = map_.wrap(map_.frame.base.y + c.j[p]);
-      const int k = map_.wrap(map_.frame.base.z + c.k[p]);
-      out[p] = rowAt(i, k)[j];
+      const Slice slice = rows_.slice(c.i[p]);
+      out[p] = beside(c.j[p], c.j[p], c.k[p], c.k[p])
+                   ? 1.0f
+                   : rows_.value(slice, map_.wrap(map_.frame.base.y + c.j[p]),
+                                 map_.wrap(map_.frame.base.z + c.k[p]));
     }
   }
 
@@ -48,16 +157,22 @@ class Sampler {
     c.fill(map_.frame, points, shift);
     for (std::size_t p = 0; p < points.size(); ++p) {
       const int i = c.i[p], j = c.j[p], k = c.k[p];
-      const bool lit = beside(j, j + 1, k, k + 1);
       // Stored values stand at back faces: the front face of i is the back face of i - 1, and in
       // front of the first slice that is light itself, never the slice that the modulo puts there.
-      const int back = lit ? 0 : slice(i), front = back == 0 ? 0 : slice(i - 1);
+      const Slice back = rows_.slice(i);
+      if (rows_.lit(back) || beside(j, j + 1, k, k + 1)) {
+        out[p] = 1;
+        continue;
+      }
+      const Slice front = rows_.slice(i - 1);
       const int j0 = map_.wrap(map_.frame.base.y + j), j1 = j0 + 1 == n_ ? 0 : j0 + 1;
       const int k0 = map_.wrap(map_.frame.base.z + k), k1 = k0 + 1 == n_ ? 0 : k0 + 1;
       const float y = c.y[p] - static_cast<float>(j), z = c.z[p] - static_cast<float>(k);
-      const float atFront = across(front, j0, j1, k0, k1, y, z);
-      const float atBack = across(back, j0, j1, k0, k1, y, z);
-      out[p] = between(atFront, atBack, c.x[p] - static_cast<float>(i));
+      const auto across = [&](Slice s) {
+        return between(between(rows_.value(s, j0, k0), rows_.value(s, j1, k0), y),
+                       between(rows_.value(s, j0, k1), rows_.value(s, j1, k1), y), z);
+      };
+      out[p] = between(across(front), across(back), c.x[p] - static_cast<float>(i));
     }
   }
 
@@ -69,92 +184,33 @@ class Sampler {
     for (std::size_t p = 0; p < points.size(); ++p) {
       const int j0 = floorToInt(c.y[p] - h), j1 = floorToInt(c.y[p] + h) + 1;
       const int k0 = floorToInt(c.z[p] - h), k1 = floorToInt(c.z[p] + h) + 1;
-      const int back = beside(j0, j1, k0, k1) ? 0 : slice(c.i[p]);
-      if (back == 0) {
+      const Slice back = rows_.slice(c.i[p]);
+      if (rows_.lit(back) || beside(j0, j1, k0, k1)) {
         out[p] = 1;
         continue;
       }
-      const int front = slice(c.i[p] - 1);
-      const RowWeights weights(j0, j1, c.y[p], kernel_, map_);
-      float atFront = 0, atBack = 0;
-      for (int k = k0; k <= k1; ++k) {
-        const float w = kernel_.weight(c.z[p] - static_cast<float>(k));
-        const int wrapped = map_.wrap(map_.frame.base.z + k);
-        atFront += w * weights.darkness(rowAt(front, wrapped));
-        atBack += w * weights.darkness(rowAt(back, wrapped));
+      const Slice front = rows_.slice(c.i[p] - 1);
+      const float part = c.x[p] - static_cast<float>(c.i[p]);
+      FootprintSum sum(j0, j1, c.y[p], kernel_, map_);
+      for (int k = k0; k <= k1;) {
+        const Lanes weights = kernel_.weights(c.z[p] - static_cast<float>(k) - kCount);
+        for (std::size_t l = 0; l < kLanes && k <= k1; ++l, ++k)
+          sum.add(rows_, front, back, part, map_.wrap(map_.frame.base.z + k), weights[l]);
       }
-      const float dark = between(atFront, atBack, c.x[p] - static_cast<float>(c.i[p]));
+      const float dark = sum.darkness();
       out[p] = std::min(std::max(1 - dark, 0.0f), 1.0f);
     }
   }
 
  private:
-  /// The weights of the kernel along a row, and where they begin. Sums what is missing to full
-  /// light, so that light itself comes out as exactly 1 however the weights round.
-  class RowWeights {
-   public:
-    RowWeights(int first, int last, float y, const FootprintKernel& kernel, const DensityMap& map)
-        : map_(map), first_(map.frame.base.y + first), begin_(map.wrap(first_)) {
-      count_ = last - first + 1;
-      chunks_ = (static_cast<std::size_t>(count_) + kLanes - 1) / kLanes;
-      wraps_ = begin_ + static_cast<int>(chunks_ * kLanes) > map.settings.cells;
-      for (std::size_t m = 0; m < chunks_; ++m)
-        for (std::size_t l = 0; l < kLanes; ++l)
-          weights_[m][l] =
-              kernel.weight(y - static_cast<float>(first + static_cast<int>(m * kLanes + l)));
-    }
-    float darkness(const float* row) const {
-      Lanes sum{};
-      for (std::size_t m = 0; m < chunks_; ++m) {
-        Lanes t;
-        if (!wraps_) {
-          std::memcpy(&t, row + begin_ + m * kLanes, sizeof t);
-        } else {
-          for (std::size_t l = 0; l < kLanes; ++l)
-            t[l] = row[map_.wrap(first_ + static_cast<int>(m * kLanes + l))];
-        }
-        sum += weights_[m] * (1.0f - t);
-      }
-      return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
-    }
-
-   private:
-    static constexpr std::size_t kMostChunks = 3;  // 2 h + 2 <= 2 · 8.7 + 2 cells
-    const DensityMap& map_;
-    int first_, begin_, count_;
-    std::size_t chunks_;
-    bool wraps_;
-    Lanes weights_[kMostChunks];
-  };
-
   /// None of these cells holds hair, nor does any cell in front of them.
   bool beside(int j0, int j1, int k0, int k1) const {
     return (j1 < map_.lower.y) | (j0 > map_.upper.y) | (k1 < map_.lower.z) | (k0 > map_.upper.z);
   }
 
-  /// Row of rowOf for the unwrapped slice i: 0 in front of the hair, the last one behind it.
-  int slice(int i) const {
-    const int s = i - first_ + 1;
-    // Hair deeper than the map: its far end is stored in the slices of its near end (paper, Psi).
-    if (aliased_ && s > n_) return (s - 1) % n_ + 1;
-    return std::min(std::max(s, 0), depth_);
-  }
-
-  const float* rowAt(int slice, int k) const {
-    return map_.transmittance.data() +
-           map_.rowOf[static_cast<std::size_t>(slice) * static_cast<std::size_t>(n_) +
-                      static_cast<std::size_t>(k)];
-  }
-
-  float across(int slice, int j0, int j1, int k0, int k1, float y, float z) const {
-    const float* r0 = rowAt(slice, k0);
-    const float* r1 = rowAt(slice, k1);
-    return between(between(r0[j0], r0[j1], y), between(r1[j0], r1[j1], y), z);
-  }
-
   const DensityMap& map_;
-  int n_, first_, depth_;
-  bool aliased_;
+  int n_;
+  Rows rows_;
   FootprintKernel kernel_;
 };
 

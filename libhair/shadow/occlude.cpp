@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
-#include <libhair/core/parallel.h>
 #include <libhair/shadow/cell_walk.h>
 #include <libhair/shadow/cell_writer.h>
 
@@ -40,7 +39,7 @@ CellBox cellBox(const CellFrame& frame, glm::vec3 centre, float radius, int cell
 /// distance(p): metres to the thing, negative inside, never more than the true distance.
 template <class Distance>
 void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMap& map) {
-  require(map.counts.data() != nullptr, "occlude: clear() the density map first");
+  require(map.bricks.valid(), "occlude: clear() the density map first");
   require(map.settings.quantity == Quantity::OpticalDepth,
           "occlude: a map of lengths has no shadows; give it Quantity::OpticalDepth");
   const float cell = map.settings.cellSize;
@@ -53,8 +52,7 @@ void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMa
   const CellBox box = cellBox(frame, centre, radius, map.settings.cells);
   if (glm::any(glm::greaterThan(box.lower, box.upper))) return;
   const auto rows = static_cast<std::size_t>(box.upper.z - box.lower.z + 1);
-  parallelFor(rows, 1, [&](std::size_t begin, std::size_t end) {
-    CellWriter<true> writer(map);
+  writeCells(rows, 4, map, [&](CellWriter& writer, std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       const int k = box.lower.z + static_cast<int>(row);
       for (int j = box.lower.y; j <= box.upper.y; ++j) {

@@ -38,6 +38,13 @@ TEST(CommandLine, ExitCodesTellDoneFromBadInputFromBadUsage) {
       {"convert " + good + " out.txt", 2},
       {"convert " + good + ' ' + out + " --points 1", 2},
       {"convert " + good + ' ' + out + " --strands 0", 2},
+      {"simulate --frames 1 --light 1,2", 2},
+      {"simulate --frames 1 --light 1,2,x", 2},
+      {"simulate --frames 1 --point 1,2,3,", 2},
+      {"simulate --frames 1 --point 1,2,3,0.5", 2},
+      {"simulate --frames 1 --point 1,2,3,1,1,1,1", 2},
+      {"simulate --frames 1 --light 1,2,3,1,1,-1", 2},
+      {"simulate --frames 1 --strands 300 --settle 0 --light 0,0,0", 1},
   };
   for (const auto& [arguments, code] : cases) {
     const Outcome outcome = run(arguments);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <apps/common/command_line.h>
 #include <apps/common/performance.h>
 
 namespace hair {
@@ -44,6 +45,31 @@ TEST(Performance, SelfCollisionThatComesLateKnowsTheGroomAtRest) {
       if (lane(p, l) != glm::vec3(0)) return false;
     return true;
   })) << "pushes of before it was off";
+}
+
+TEST(Performance, LightsStandInTheOrderOfTheCommandLine) {
+  const auto lightsOf = [](const std::string& words) {
+    CLI::App app;
+    PerformanceOptions options;
+    int threads = 0;
+    addPerformanceOptions(app, options, threads);
+    app.parse(words);
+    return options.lights;
+  };
+  EXPECT_TRUE(lightsOf("--fps 30").empty());
+  const std::vector<Light> expected = {Light::point({1, 2, 3}),
+                                       Light::parallel({-1, 0, 0.5f}, {0.25f, 0, 2}),
+                                       Light::point({-0.5f, 1.5f, 0}, {1, 0.5f, 0})};
+  EXPECT_EQ(lightsOf("--point 1,2,3 --light -1,0,0.5,0.25,0,2 --fps 30 --point -0.5,1.5,0,1,.5,0"),
+            expected);
+
+  SubjectOptions who;
+  who.strands = 300;
+  const Subject subject(who);
+  EXPECT_EQ(frameSettings(subject, {}).lights.size(), 1u);
+  PerformanceOptions options;
+  options.lights = expected;
+  EXPECT_EQ(frameSettings(subject, options).lights.size(), 3u);
 }
 
 }  // namespace

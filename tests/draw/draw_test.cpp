@@ -69,7 +69,7 @@ class Drawing : public testing::Test {
     scene.camera.target = {0, 0.3f, 0};
     scene.camera.distance = 1.5f;
     scene.camera.pitch = 0.35f;
-    scene.light.direction = {0, -1, 0};
+    scene.lights[0].direction = {0, -1, 0};
     head = sphere({0, 0.3f, 0}, 0.1f);
     hair = combed({0, 0.3f, 0}, 0.1f, 800);
     red.assign(hair.pointCount(), packColour({0.9f, 0.1f, 0.1f, 1}));
@@ -259,9 +259,9 @@ TEST_F(Drawing, ScenesThatCannotBeDrawnAreReported) {
   addHair().colours = std::span(red).first(3);
   EXPECT_THROW(drawn(), Error);
   scene.hair.clear();
-  scene.light.direction = {0, 0, 0};
+  scene.lights[0].direction = {0, 0, 0};
   EXPECT_THROW(drawn(), Error);
-  scene.light.direction = {0, -1, 0};
+  scene.lights[0].direction = {0, -1, 0};
   addHead();
   head.normals.pop_back();
   EXPECT_THROW(drawn(), Error);
@@ -286,6 +286,86 @@ TEST_F(Drawing, MeshesStandInTheLightOfPointsBehindThem) {
   scene.meshes.clear();
   renderer.meshVisibility(scene, points, lit);
   for (float v : lit) EXPECT_EQ(v, 1);
+}
+
+TEST_F(Drawing, EveryLightHasShadowsOfItsOwnOnPoints) {
+  addHead();
+  Renderer renderer;
+  const std::vector<glm::vec3> points = {{0, 0.05f, 0},    {0, 0.55f, 0},    {0.35f, 0.3f, 0},
+                                         {0.2f, 0.42f, 0}, {-0.3f, 0.3f, 0}, {0, 0.3f, 0.5f}};
+  const auto lit = [&](const std::vector<Light>& lights) {
+    scene.lights = lights;
+    std::vector<float> visibility(lights.size() * points.size(), -1.0f);
+    renderer.meshVisibility(scene, points, visibility);
+    return visibility;
+  };
+  const Light above = Light::parallel({0, -1, 0}), aside = Light::parallel({1, 0, 0});
+  // Near by at the left: its shadow is wider than the ball, and holds (0.2, 0.42, 0) too.
+  const Light lamp = Light::point({-0.2f, 0.3f, 0});
+  const std::vector<float> all = lit({above, lamp, aside});
+  const std::vector<float> expected = {0, 1, 1, 1, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 0, 1, 1, 1};
+  EXPECT_EQ(all, expected);
+  std::vector<float> one;
+  for (const Light& light : {above, lamp, aside}) {
+    const std::vector<float> alone = lit({light});
+    one.insert(one.end(), alone.begin(), alone.end());
+  }
+  EXPECT_EQ(all, one);
+  // Far away at a point is parallel.
+  EXPECT_EQ(lit({Light::point({0, 100, 0})}), lit({above}));
+  std::vector<float> tooFew(points.size());
+  scene.lights = {above, lamp};
+  EXPECT_THROW(renderer.meshVisibility(scene, points, tooFew), Error);
+}
+
+TEST_F(Drawing, EveryLightOfTheFirstFourShinesOnTheMeshes) {
+  addHead();
+  scene.camera.pitch = 0;
+  const glm::ivec2 left = place({-0.07f, 0.3f, 0.07f}, 320, 240),
+                   right = place({0.07f, 0.3f, 0.07f}, 320, 240);
+  const Light redLight = Light::parallel({1, 0, -0.2f}, {1, 0, 0});
+  const Light blueLight = Light::point({0.6f, 0.3f, 0.1f}, {0, 0, 1});
+  scene.pivot = {0, 0.3f, 0};
+  scene.lights = {};
+  const Picture unlit = drawn();
+  EXPECT_GT(brightness(unlit.pixel(left.x, left.y)), 0) << "the sky shines";
+  const Light black = Light::parallel({0, -1, 0}, {0, 0, 0});
+  scene.lights = {black, redLight, black, blueLight};
+  const Picture lit = drawn();
+  const std::uint8_t *l = lit.pixel(left.x, left.y), *r = lit.pixel(right.x, right.y);
+  const std::uint8_t *l0 = unlit.pixel(left.x, left.y), *r0 = unlit.pixel(right.x, right.y);
+  EXPECT_GT(l[0], l0[0] + 40) << "red from the left";
+  EXPECT_NEAR(l[2], l0[2], 8);
+  EXPECT_GT(r[2], r0[2] + 40) << "blue from the right";
+  EXPECT_NEAR(r[0], r0[0], 8);
+  scene.lights = {black, black, black, black, redLight};
+  EXPECT_EQ(drawn(), unlit) << "the fifth does not";
+  // Memory of the maps grows and shrinks with the lights.
+  Renderer renderer;
+  for (const std::vector<Light>& lights : {std::vector<Light>{redLight},
+                                           {redLight, blueLight, redLight},
+                                           {},
+                                           {black, redLight, black, blueLight}}) {
+    scene.lights = lights;
+    renderer.draw(scene, 320, 240);
+  }
+  EXPECT_EQ(renderer.read(), lit);
+}
+
+TEST_F(Drawing, AHeadShadowsTheFloorFromALampWhereItStandsBetween) {
+  scene.camera.pitch = 0.6f;
+  scene.pivot = {0, 0.3f, 0};
+  scene.lights = {Light::point({0, 0.6f, 0})};
+  // Twice as far from the lamp as the ball's rim: its shadow is twice as wide as the ball.
+  const glm::ivec2 inside = place({0.15f, 0, 0.05f}, 320, 240),
+                   outside = place({0.45f, 0, 0.05f}, 320, 240);
+  const Picture empty = drawn();
+  addHead();
+  const Picture shadowed = drawn();
+  EXPECT_LT(brightness(shadowed.pixel(inside.x, inside.y)),
+            0.8 * brightness(empty.pixel(inside.x, inside.y)));
+  EXPECT_NEAR(brightness(shadowed.pixel(outside.x, outside.y)),
+              brightness(empty.pixel(outside.x, outside.y)), 12);
 }
 
 TEST_F(Drawing, MeshesMayChangeBetweenPictures) {

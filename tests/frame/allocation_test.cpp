@@ -48,7 +48,9 @@ namespace {
 TEST(Frame, AllocatesNothing) {
   // One thread: the scheduler of a threading library keeps books of its own.
   const ThreadLimit limit(1);
-  test::Scene scene(test::small(Style::Smooth), Motion::dance(), {});
+  FrameSettings settings;
+  settings.lights.push_back(Light::point({1, 2, 1}));
+  test::Scene scene(test::small(Style::Smooth), Motion::dance(), settings);
   for (int f = 0; f < 3; ++f) scene.step();
   const std::size_t before = allocations;
   for (int f = 0; f < 30; ++f) scene.step();

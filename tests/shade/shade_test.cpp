@@ -12,6 +12,12 @@
 namespace hair {
 namespace {
 
+/// One parallel light, and the eye.
+struct WhiteLight {
+  glm::vec3 direction{0, -1, 0};
+  glm::vec3 eye{0, 0, 1};
+};
+
 /// White hair with one white light: what comes out is the bare model.
 KajiyaKaySettings bare(float ambient, float diffuse, float specular) {
   KajiyaKaySettings settings = KajiyaKaySettings::plain();
@@ -40,12 +46,13 @@ int blue(std::uint32_t colour) {
   return static_cast<int>(colour >> 16 & 255u);
 }
 
-std::vector<std::uint32_t> shadeAll(StrandView strands, const ShadeLight& light,
+std::vector<std::uint32_t> shadeAll(StrandView strands, const WhiteLight& light,
                                     const KajiyaKaySettings& settings,
                                     const std::vector<float>& t = {},
                                     const std::vector<float>& v = {}) {
   std::vector<std::uint32_t> out(strands.pointCount());
-  shadeKajiyaKay(strands, t, v, light, settings, out);
+  const Light parallel = Light::parallel(light.direction);
+  shadeKajiyaKay(strands, {{&parallel, 1}, glm::vec3(0), light.eye, t, v}, settings, out);
   return out;
 }
 
@@ -78,7 +85,7 @@ TEST(Srgb, IsExactAtItsEndsAndCloseBetween) {
 
 TEST(KajiyaKay, LightAlongTheTangentGivesNoDiffuseLight) {
   const StrandSet strand = straight({0, -1, 0});
-  ShadeLight light;
+  WhiteLight light;
   light.direction = {0, -1, 0};
   light.eye = {0, 0, 10};
   for (std::uint32_t c : shadeAll(strand, light, bare(0, 1, 0))) EXPECT_LE(red(c), 2);
@@ -95,7 +102,7 @@ TEST(KajiyaKay, HighlightPeaksOnTheConeOfTheMirroredRay) {
   // The strand runs along x through the origin; light falls in at 30 degrees off its normal and
   // leaves at 30 degrees to the other side, in every direction around the strand.
   const StrandSet strand = straight({1, 0, 0}, 3);
-  ShadeLight light;
+  WhiteLight light;
   light.direction = glm::normalize(glm::vec3(std::sin(0.5236f), -std::cos(0.5236f), 0));
   const auto seenAt = [&](float angle, float around, const KajiyaKaySettings& settings) {
     light.eye = 1000.0f * glm::vec3(std::sin(angle), std::cos(angle) * std::cos(around),
@@ -128,7 +135,7 @@ TEST(KajiyaKay, SecondHighlightLiesNearerToTheTipAndHasTheHairsColour) {
     p.push_back(0.1f * glm::vec3(0, std::cos(a), std::sin(a)));
   }
   strand.append(p);
-  ShadeLight light;
+  WhiteLight light;
   light.direction = {0, -1, 0};
   light.eye = {0, 0, 1000};
   const auto peak = [&](KajiyaKaySettings settings) {
@@ -162,7 +169,7 @@ TEST(KajiyaKay, BrightnessGrowsWithTransmittanceFromAmbientToFull) {
   const StrandSet strand = straight({0, 1, 0}, 200);
   std::vector<float> t(200), ones(200, 1.0f);
   for (int k = 0; k < 200; ++k) t[static_cast<std::size_t>(k)] = static_cast<float>(k) / 199;
-  ShadeLight light;
+  WhiteLight light;
   light.direction = {0, 0, -1};
   light.eye = {0, 1, 100};
   const auto settings = bare(0.1f, 0.5f, 0.2f);

@@ -52,7 +52,7 @@ TEST(Deposit, ConservesOpticalDepthAndLength) {
   const StrandSet hair = headOfHair(300, 25);
   const Fibre fibre{80e-6f, 0.5f, 20.0f};
   for (Quantity quantity : {Quantity::OpticalDepth, Quantity::Length})
-    for (Deposit d : {Deposit::Segments, Deposit::Trilinear})
+    for (Deposit d : {Deposit::Samples, Deposit::Segments, Deposit::Trilinear})
       for (glm::vec3 direction : {kSlanted, glm::vec3(0, 1, 0)}) {
         DensityMapSettings settings;
         settings.deposit = d;
@@ -97,11 +97,20 @@ TEST(Deposit, SegmentsLeaveInEachCellWhatLiesInside) {
   const glm::vec3 a(-2.3f, 0.4f, 7.1f), b(1.9f, -3.3f, 5.2f);
   deposit(oneStrand({a, b}), oneHair(1, 1), map);
   std::vector<float> expected(16 * 16 * 16);
+  const auto index = [&](glm::ivec3 cell) {
+    const glm::ivec3 c = map.wrap(cell);
+    return static_cast<std::size_t>((c.x * 16 + c.y) * 16 + c.z);
+  };
   for (int i = 0; i < 100000; ++i)
-    expected[map.index(map.cellOf(glm::mix(a, b, (static_cast<float>(i) + 0.5f) / 1e5f)))] +=
+    expected[index(map.cellOf(glm::mix(a, b, (static_cast<float>(i) + 0.5f) / 1e5f)))] +=
         glm::distance(a, b) / 1e5f;
-  for (std::size_t c = 0; c < expected.size(); ++c)
-    ASSERT_NEAR(static_cast<float>(map.counts.data()[c]) * map.quantum, expected[c], 2e-4f);
+  for (int x = 0; x < 16; ++x)
+    for (int y = 0; y < 16; ++y)
+      for (int z = 0; z < 16; ++z) {
+        const glm::ivec3 cell(x, y, z);
+        ASSERT_NEAR(static_cast<float>(map.count(cell)) * map.quantum, expected[index(cell)],
+                    2e-4f);
+      }
 }
 
 TEST(Deposit, NegativeAndFarPointsFallIntoTheCellOfThePapersMapping) {
@@ -116,10 +125,9 @@ TEST(Deposit, NegativeAndFarPointsFallIntoTheCellOfThePapersMapping) {
       deposit(oneStrand({{static_cast<float>(x), 0.1f, -0.1f}}), oneHair(1, 1), map);
       const auto psi = [](double v) {
         const auto cell = static_cast<long long>(std::floor(v / 0.25));
-        return static_cast<std::size_t>((cell % 10 + 10) % 10);
+        return static_cast<int>((cell % 10 + 10) % 10);
       };
-      const std::size_t index = (psi(far + x) * 10 + psi(-far - 0.1)) * 10 + psi(0.1);
-      EXPECT_EQ(map.counts.data()[index], 1u) << far << " " << x;
+      EXPECT_EQ(map.bricks.count({psi(far + x), psi(0.1), psi(-far - 0.1)}), 1u) << far << " " << x;
     }
   }
 }

@@ -67,12 +67,13 @@ inline float largestDifference(const std::vector<float>& a, const std::vector<fl
 /// Sum over all cells, in the map's unit.
 inline double total(const DensityMap& map) {
   double sum = 0;
-  const std::size_t n = static_cast<std::size_t>(map.settings.cells);
-  for (std::size_t c = 0; c < n * n * n; ++c) sum += map.counts.data()[c];
+  for (std::uint32_t slot = 1; slot <= map.bricks.size(); ++slot)
+    for (std::size_t c = 0; c < brick::kCells; ++c) sum += map.bricks.cells(slot)[c];
   return sum * static_cast<double>(map.quantum);
 }
 
-inline constexpr Deposit kDeposits[] = {Deposit::Points, Deposit::Segments, Deposit::Trilinear};
+inline constexpr Deposit kDeposits[] = {Deposit::Points, Deposit::Samples, Deposit::Segments,
+                                        Deposit::Trilinear};
 inline constexpr Filter kFilters[] = {Filter::None, Filter::Paper, Filter::Centred,
                                       Filter::Footprint};
 

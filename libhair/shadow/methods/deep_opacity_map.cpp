@@ -3,6 +3,7 @@
 #include <array>
 
 #include <libhair/core/error.h>
+#include <libhair/shadow/methods/image_method.h>
 #include <libhair/shadow/methods/layer_sums.h>
 #include <libhair/shadow/methods/sample_image.h>
 #include <libhair/shadow/methods/shadow_method.h>
@@ -75,12 +76,13 @@ class Layers {
   std::array<std::uint8_t, kSteps> first_{};
 };
 
-class DeepOpacityMap final : public ShadowMethod {
+class DeepOpacityMap final : public ImageMethod {
  public:
   explicit DeepOpacityMap(const DeepOpacityMapSettings& settings)
       : settings_(settings), layers_(settings.layers, settings.growth) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
+    setOwnShadow(fibre, settings_);
     requireFibre(fibre, "deep opacity map");
     const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
     words_.reset(image, settings_.layers + 1, "deep opacity map");

@@ -8,6 +8,7 @@
 #include <libhair/core/approximate.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/shadow/methods/image_method.h>
 #include <libhair/shadow/methods/read_image.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
@@ -108,11 +109,12 @@ float transmittanceAt(std::span<const VisibilityVertex> vertices, float depth) {
 
 namespace {
 
-class DeepShadowMap final : public ShadowMethod {
+class DeepShadowMap final : public ImageMethod {
  public:
   explicit DeepShadowMap(const DeepShadowMapSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
+    setOwnShadow(fibre, settings_);
     // Deviation: fragments carry the mean over the pixel of what fibres take. The paper traces many
     // rays a pixel, on which fibres are opaque, and takes the mean of their functions.
     image_ = makeLightImage(strands, light, settings_.pixelSize);

@@ -9,6 +9,7 @@
 #include <libhair/core/approximate.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/shadow/methods/image_method.h>
 #include <libhair/shadow/methods/read_image.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
@@ -149,11 +150,12 @@ float opticalDepthAt(std::span<const DepthBin> bins, float depth) {
 
 namespace {
 
-class DensityClustering final : public ShadowMethod {
+class DensityClustering final : public ImageMethod {
  public:
   explicit DensityClustering(const DensityClusteringSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
+    setOwnShadow(fibre, settings_);
     image_ = makeLightImage(strands, light, settings_.pixelSize);
     buildFragmentLists(strands, fibre, settings_.extinction, image_, lists_);
     const std::size_t pixels = image_.pixelCount();

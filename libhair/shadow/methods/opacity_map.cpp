@@ -1,6 +1,7 @@
 #include <libhair/shadow/methods/opacity_map.h>
 
 #include <libhair/core/error.h>
+#include <libhair/shadow/methods/image_method.h>
 #include <libhair/shadow/methods/layer_sums.h>
 #include <libhair/shadow/methods/sample_image.h>
 #include <libhair/shadow/methods/shadow_method.h>
@@ -9,11 +10,12 @@ namespace hair {
 
 namespace {
 
-class OpacityMap final : public ShadowMethod {
+class OpacityMap final : public ImageMethod {
  public:
   explicit OpacityMap(const OpacityMapSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
+    setOwnShadow(fibre, settings_);
     requireFibre(fibre, "opacity map");
     const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
     sums_.reset(image, settings_.slices, "opacity map");

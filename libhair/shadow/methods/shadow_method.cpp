@@ -29,6 +29,8 @@ const char* name(Deposit deposit) {
   switch (deposit) {
     case Deposit::Points:
       return " points";
+    case Deposit::Samples:
+      return " samples";
     case Deposit::Segments:
       return "";
     case Deposit::Trilinear:

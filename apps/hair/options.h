@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include <apps/hair/commands.h>
+
+namespace hair {
+
+/// What the chosen command will do once the whole command line has been understood.
+using Run = std::function<void()>;
+
+/// Commands that measure: `hair measure`, `measure-motion`, `plan`. `commandLine` is told to who
+/// wants to repeat a measurement.
+void addMeasure(CLI::App& app, Run& run, const std::string& commandLine);
+void addMeasureMotion(CLI::App& app, Run& run);
+void addPlan(CLI::App& app, Run& run);
+
+}  // namespace hair

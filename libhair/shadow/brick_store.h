@@ -1,0 +1,150 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace hair {
+
+/// How cells are grouped: 4 along the light (x), 4 (z) and 16 (y) across it. Rows of y are lanes: a
+/// brick of 1 KiB is 16 rows of one cache line each. A strand leaves most of its cells in the brick
+/// where it left the last one.
+namespace brick {
+inline constexpr int kX = 4, kY = 16, kZ = 4;
+inline constexpr int kLayer = kY * kZ;      ///< cells of one slice of a brick
+inline constexpr int kCells = kX * kLayer;  ///< cells of a brick
+
+/// Where a wrapped cell stands in its brick: x slowest, y fastest.
+inline std::size_t offset(glm::ivec3 cell) {
+  return static_cast<std::size_t>(((cell.x % kX) * kZ + cell.z % kZ) * kY + cell.y % kY);
+}
+}  // namespace brick
+
+/// Sparse cells: a table with a place for every brick of the grid, and a pool of those that exist.
+/// Slots count from 1 in the order of their making; a table's 0 is "nothing there".
+class BrickStore {
+ public:
+  BrickStore() = default;
+  /// A grid of cells³; the last bricks of an axis may stick out.
+  explicit BrickStore(int cells)
+      : perAxis_((cells + brick::kX - 1) / brick::kX, (cells + brick::kY - 1) / brick::kY,
+                 (cells + brick::kZ - 1) / brick::kZ),
+        slots_(static_cast<std::size_t>(perAxis_.x) * across()) {}
+
+  glm::ivec3 perAxis() const { return perAxis_; }  ///< bricks
+  /// Bricks of a slice of bricks.
+  std::size_t across() const {
+    return static_cast<std::size_t>(perAxis_.y) * static_cast<std::size_t>(perAxis_.z);
+  }
+  bool valid() const { return !slots_.empty(); }
+  std::size_t size() const { return places_.size(); }  ///< bricks that exist
+  std::size_t room() const { return room_; }           ///< bricks that it has memory for
+  /// Of the table and the bricks that exist.
+  std::size_t bytes() const {
+    return slots_.size() * sizeof(slots_[0]) +
+           size() * (sizeof(places_[0]) + brick::kCells * sizeof(std::uint32_t));
+  }
+
+  /// Which brick holds a wrapped cell.
+  std::size_t place(glm::ivec3 cell) const {
+    return (static_cast<std::size_t>(cell.x / brick::kX) * static_cast<std::size_t>(perAxis_.z) +
+            static_cast<std::size_t>(cell.z / brick::kZ)) *
+               static_cast<std::size_t>(perAxis_.y) +
+           static_cast<std::size_t>(cell.y / brick::kY);
+  }
+  /// Slot of a place, or 0.
+  std::uint32_t slot(std::size_t place) const { return slots_[place]; }
+  /// Slots of `across` places that follow each other.
+  const std::uint32_t* slots(std::size_t place) const { return slots_.data() + place; }
+  /// Place of slot 1, 2 ...
+  std::span<const std::uint32_t> places() const { return places_; }
+
+  std::uint32_t* cells(std::uint32_t slot) {
+    return cells_.get() + slot * std::size_t{brick::kCells};
+  }
+  const std::uint32_t* cells(std::uint32_t slot) const {
+    return cells_.get() + slot * std::size_t{brick::kCells};
+  }
+  /// The slot of a place; a brick of zeros is made where none is. Moves the cells of all.
+  std::uint32_t make(std::size_t place) {
+    if (claim(place)) std::memset(cells(slots_[place]), 0, brick::kCells * sizeof(std::uint32_t));
+    return slots_[place];
+  }
+  /// Makes a brick of whatever values where none is; true if it did.
+  bool claim(std::size_t place) {
+    if (slots_[place] != 0) return false;
+    places_.push_back(static_cast<std::uint32_t>(place));
+    if (places_.size() >= room_) grow(2 * room_ + 64);
+    slots_[place] = static_cast<std::uint32_t>(places_.size());
+    return true;
+  }
+  /// Of a wrapped cell; 0 where no brick is.
+  std::uint32_t count(glm::ivec3 cell) const {
+    const std::uint32_t s = slots_[place(cell)];
+    return s == 0 ? 0 : cells(s)[brick::offset(cell)];
+  }
+
+  /// No brick exists any more; their memory is kept. Where it was nearly full, there is soon enough
+  /// of it for twice as many, so that hair that moves hardly ever needs more in a later frame.
+  void clear() {
+    if (3 * size() >= 2 * room_) grow(5 * size() / 2 + 64);
+    for (const std::uint32_t p : places_) slots_[p] = 0;
+    places_.clear();
+  }
+
+ private:
+  void grow(std::size_t room) {
+    places_.reserve(room);
+    std::unique_ptr<std::uint32_t[]> cells(new std::uint32_t[room * brick::kCells]);
+    if (room_ > 0) std::memcpy(cells.get(), cells_.get(), room_ * brick::kCells * sizeof(cells[0]));
+    cells_ = std::move(cells);
+    room_ = room;
+  }
+
+  glm::ivec3 perAxis_{0};
+  std::vector<std::uint32_t> slots_;
+  std::vector<std::uint32_t> places_;
+  std::size_t room_ = 0;                    // bricks, that of slot 0 included
+  std::unique_ptr<std::uint32_t[]> cells_;  // [room_ · brick::kCells]
+};
+
+/// Transmittance of the cells of all bricks, and of a brick of ones, slot 0.
+///
+/// The walk along the light meets bricks in *runs*: all slices of one brick that follow each other.
+/// Run 0 is what is before all hair. (The brick in which the walk begins can be met again at its
+/// end, where the modulo comes round: that is a run of its own.) DensityMap::lightIn holds a code
+/// for each run and each brick across: a slice of a brick as slot · 4 + slice, with kFixed if all
+/// slices of the run read that one.
+class Transmittances {
+ public:
+  static constexpr std::uint32_t kFixed = 0x80000000u;
+
+  /// Room for slots 0 to `slots`; what was there is lost.
+  void reserve(std::size_t slots) {
+    if (slots + 1 <= slots_) return;
+    slots_ = slots + 1;
+    values_.reset(new float[slots_ * brick::kCells]);
+    for (std::size_t c = 0; c < brick::kCells; ++c) values_[c] = 1.0f;
+  }
+  float* slice(std::uint32_t slot, int slice) {
+    return values_.get() +
+           (slot * std::size_t{brick::kX} + static_cast<std::size_t>(slice)) * brick::kLayer;
+  }
+  /// Row z (within its brick) of slice x (within its brick) of what a code says.
+  const float* row(std::uint32_t code, std::uint32_t x, int z) const {
+    const std::uint32_t layer = code & kFixed ? code & ~kFixed : code + x;
+    return values_.get() + layer * std::size_t{brick::kLayer} +
+           static_cast<std::size_t>(z * brick::kY);
+  }
+
+ private:
+  std::size_t slots_ = 0;
+  std::unique_ptr<float[]> values_;
+};
+
+}  // namespace hair

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <libhair/shadow/extinction.h>
+#include <libhair/shadow/footprint.h>
+#include <libhair/shadow/methods/lateral_filter.h>
+#include <libhair/shadow/methods/shadow_method.h>
+
+namespace hair {
+
+/// What methods that keep an image of optical depths share with the density map, so that the
+/// comparison is of the methods: half of the shadow that a strand throws on its pixels is taken off
+/// its own points (sampleStrandTransmittance). Not in the published form.
+class ImageMethod : public ShadowMethod {
+ public:
+  void sampleStrands(StrandView strands, std::span<float> out) const final {
+    sample(strands.points, out);
+    if (withoutOwn_ == 1) return;
+    for (float& t : out) t = std::min(t * withoutOwn_, 1.0f);
+  }
+
+ protected:
+  /// Settings: any with pixelSize, extinction and filter.
+  template <class Settings>
+  void setOwnShadow(const Fibre& fibre, const Settings& settings) {
+    withoutOwn_ = 1;
+    if (settings.extinction == Extinction::Published || settings.filter == LateralFilter::Nearest)
+      return;
+    DensityMapSettings pixels;
+    pixels.cellSize = settings.pixelSize;
+    const float line = FootprintKernel(pixels).onALine() / settings.pixelSize;
+    withoutOwn_ = std::exp(0.5f * fibre.width * extinctionOf(fibre, settings.pixelSize) * line);
+  }
+
+ private:
+  float withoutOwn_ = 1;
+};
+
+}  // namespace hair
