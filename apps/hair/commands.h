@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,9 +75,11 @@ struct MeasureOptions {
   std::size_t samples = 4000;
   std::uint32_t rays = 2048;  ///< a sample point
   std::uint32_t seed = 1;
-  std::string methods = "all";  ///< or "quick", or names with hyphens and commas between
-  int repeats = 5;              ///< timed runs of each method and setting
-  int flickerSteps = 20;        ///< of 0.1 degree; 0: flicker is not measured
+  std::string methods = "all";     ///< or "quick", or names with hyphens and commas between
+  std::optional<double> maxError;  ///< choose the fastest within it
+  std::optional<double> budgetMs;  ///< choose the most accurate within it, milliseconds
+  int repeats = 5;                 ///< timed runs of each method and setting
+  int flickerSteps = 20;           ///< of 0.1 degree; 0: flicker is not measured
   int threads = 0;
   std::filesystem::path csv, dump, html;
   std::string commandLine;  ///< as typed, for who repeats it

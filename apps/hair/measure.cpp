@@ -9,6 +9,7 @@
 
 #include <apps/common/progress.h>
 #include <apps/hair/commands.h>
+#include <apps/hair/measure_choice.h>
 #include <apps/hair/measure_report.h>
 #include <apps/hair/measure_tables.h>
 #include <apps/hair/report_html.h>
@@ -134,14 +135,17 @@ Truth traceTruth(const MeasureReport& report, const FibreTracer& tracer, const L
 
 MeasuredCase measureCase(const MeasureReport& report, const FibreTracer& tracer,
                          const MeasuredLight& light, float footprint,
-                         const std::set<std::string>& wanted) {
+                         const std::set<std::string>& wanted,
+                         const std::optional<MachineCosts>& machine) {
   const MeasureOptions& options = report.options;
   const MeasuredHair& hair = report.hair;
   MeasuredCase measured;
   measured.light = light;
   measured.footprint = footprint;
-  const std::vector<ShadowCandidate> candidates =
-      candidatesFor(report, light.space, footprint, wanted);
+  std::vector<ShadowCandidate> candidates = candidatesFor(report, light.space, footprint, wanted);
+  if (machine)
+    measured.choice =
+        addChoice(report, light.space, footprint, *budgetOf(options), *machine, candidates);
   const TruthSettings truth{footprint, options.rays, options.seed};
   std::cerr << light.name() << ", footprint " << footprint << " m\n";
   measured.truth = traceTruth(report, tracer, light.space, truth);
@@ -178,6 +182,7 @@ std::string MeasuredLight::name() const {
 void runMeasure(const MeasureOptions& options) {
   checkOptions(options);
   const std::set<std::string> wanted = methodsWanted(options.methods);
+  const bool chooses = budgetOf(options).has_value();
   const ThreadLimit limit(options.threads);
   MeasureReport report;
   report.options = options;
@@ -192,6 +197,12 @@ void runMeasure(const MeasureOptions& options) {
   const std::unique_ptr<FibreTracer> tracer =
       makeGridTracer(report.hair.strands, report.hair.fibre);
 
+  std::optional<MachineCosts> machine;
+  if (chooses) {
+    std::cerr << "calibrating costs\n";
+    machine = calibrate();
+  }
+
   const Fibre& fibre = report.hair.fibre;
   std::cout << report.hair.name << ": " << report.hair.strands.strandCount() << " strands, "
             << report.hair.strands.pointCount() << " points, width "
@@ -200,8 +211,10 @@ void runMeasure(const MeasureOptions& options) {
             << " runs; seed " << options.seed << ", " << options.rays << " rays a sample\n\n";
   for (const MeasuredLight& light : lights)
     for (const float footprint : options.footprints) {
-      report.cases.push_back(measureCase(report, *tracer, light, footprint, wanted));
+      report.cases.push_back(measureCase(report, *tracer, light, footprint, wanted, machine));
       printTable(report, report.cases.back(), std::cout);
+      if (report.cases.back().choice)
+        printChoice(*report.cases.back().choice, report.cases.back().trials, std::cout);
     }
   const auto write = [&](const std::filesystem::path& file, const auto& body) {
     if (file.empty()) return;

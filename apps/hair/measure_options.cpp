@@ -40,6 +40,13 @@ void addMeasure(CLI::App& app, Run& run, const std::string& commandLine) {
                       "all (default), quick (each once), or names with commas between: auto, "
                       "density-map, shadow-map, opacity-map, deep-opacity-map, "
                       "density-clustering, deep-shadow-map");
+  command->add_option(
+      "--max-error", options->maxError,
+      "choose the fastest method and settings with at most this mean absolute error, say what is "
+      "predicted of them and measure them as `chosen`");
+  command->add_option("--budget-ms", options->budgetMs,
+                      "choose the most accurate that builds and samples in so many milliseconds; "
+                      "with --max-error: a limit of that choice too");
   command
       ->add_option("--repeats", options->repeats,
                    "timed runs of each method and setting, of which the median counts; default 5")
@@ -66,6 +73,7 @@ void addMeasure(CLI::App& app, Run& run, const std::string& commandLine) {
       "  hair measure --hair straight.hair --width 0.465e-3 --alpha 0.64 --html straight.html\n"
       "  hair measure --style curly --light 0,-1,0 --point 0.5,1,0.5 --footprint 3e-3 \\\n"
       "      --footprint 1e-2 --csv curly.csv --html curly.html\n"
+      "  hair measure --style curly --methods auto --max-error 0.015\n"
       "Errors are of transmittance: 0 is dark, 1 is lit.");
   command->callback([options, &run] { run = [options] { runMeasure(*options); }; });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 #include <apps/hair/commands.h>
 #include <apps/hair/measured_hair.h>
+#include <libhair/measure/choose.h>
 #include <libhair/measure/flicker.h>
 #include <libhair/measure/shadow_trial.h>
 #include <libhair/measure/truth.h>
@@ -36,6 +38,7 @@ struct MeasuredCase {
   VisibilityRay ray;               ///< empty unless there is an HTML report to draw it in
   std::vector<Flicker> flicker;    ///< [best.size()], or empty: not measured
   Flicker truthFlicker;
+  std::optional<ShadowChoice> choice;  ///< --max-error, --budget-ms; its trial is `chosen`
 };
 
 /// All of a run.

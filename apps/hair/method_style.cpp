@@ -24,6 +24,7 @@ struct Entry {
 };
 constexpr Entry kStyles[] = {
     {"auto", {"#000000", kStar}},
+    {"chosen", {"#000000", kDisc}},
     {"density map", {"#0072B2", kDisc}},
     {"shadow map", {"#8C8C8C", kSquare}},
     {"opacity map", {"#E69F00", kUp}},

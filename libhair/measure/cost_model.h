@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include <libhair/core/strands.h>
+#include <libhair/measure/hair_features.h>
+#include <libhair/model/groom.h>
+#include <libhair/shadow/methods/shadow_method.h>
+
+namespace hair {
+
+/// The stages of shadow methods whose time is predicted, each with coefficients of its own.
+enum class CostStage {
+  DepositPoints,  ///< density map, whole build with that deposit
+  DepositSegments,
+  DepositTrilinear,
+  SampleCells,  ///< density map, filters of one or eight cells
+  SampleFootprint,
+  ShadowMapBuild,
+  ShadowMapSample,
+  OpacityMapBuild,
+  OpacityMapSample,
+  DeepOpacityMapBuild,
+  DeepOpacityMapSample,
+  ClusteringBuild,
+  ClusteringSample,
+  DeepShadowMapBuild,
+  DeepShadowMapSample,
+  Count
+};
+inline constexpr std::size_t kCostStages = static_cast<std::size_t>(CostStage::Count);
+inline constexpr std::size_t kCostTerms = 5;
+
+/// How often a stage does what takes its time; costTerms says what each is.
+using CostTerms = std::array<double, kCostTerms>;
+
+/// How fast this machine is, with this many threads, in nanoseconds a term. Plain numbers: fitted
+/// once by calibrate(), then kept for as long as machine, threads and library are the same.
+struct MachineCosts {
+  std::array<CostTerms, kCostStages> nanoseconds{};
+  int threads = 0;
+};
+
+/// A line a stage: its name and its coefficients, nanoseconds.
+std::string costText(const MachineCosts& machine);
+
+/// The stages that these settings build and sample with.
+struct CostStages {
+  CostStage build, sample;
+};
+CostStages costStages(const ShadowSettings& settings);
+
+/// What a stage does with this hair:
+///  - density map, build: segments (points), cells crossed (samples for Trilinear), cells of rows
+///    that hold hair, cells of bricks of 8^3 that do; of the map's size in memory, whether it keeps
+///    rows or bricks, the fit takes what explains it; and what caches miss: cells crossed ·
+///    coldShare · log2 of its megabytes;
+///  - density map, sample: points, cells read (rows · chunks of lanes for Footprint), points · log2
+///    of the map's megabytes: what caches miss;
+///  - images, build: segments, fragments, words (pixels · layers); with lists of fragments:
+///    fragments · log2 of the fragments a pixel instead of words, and fragments · clusters; and
+///    what caches miss;
+///  - images, sample: points, points · what a point reads.
+CostTerms costTerms(CostStage stage, const HairFeatures& hair, const ShadowSettings& settings);
+
+struct PredictedTime {
+  double buildMilliseconds = 0;   ///< in memory that an earlier build has left
+  double sampleMilliseconds = 0;  ///< at all points of the hair
+  double milliseconds() const { return buildMilliseconds + sampleMilliseconds; }
+};
+PredictedTime predictTime(const MachineCosts& machine, const HairFeatures& hair,
+                          const ShadowSettings& settings);
+
+/// Times every stage on hair (nothing less than some thousand strands tells stages apart), under a
+/// slanting light, with threadCount() threads: all points and every other one, at several
+/// resolutions, the least of `repeats` (>= 1) rounds. Coefficients are the least sum of squared
+/// relative errors of coefficients that are not negative.
+MachineCosts calibrate(StrandView strands, const Fibre& fibre, int repeats = 3);
+/// On the built-in smooth style; seconds.
+MachineCosts calibrate();
+
+}  // namespace hair
