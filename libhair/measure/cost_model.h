@@ -74,9 +74,9 @@ PredictedTime predictTime(const MachineCosts& machine, const HairFeatures& hair,
                           const ShadowSettings& settings);
 
 /// Times every stage on hair (nothing less than some thousand strands tells stages apart), under a
-/// slanting light, with threadCount() threads: all points and every other one, at several
-/// resolutions, the least of `repeats` (>= 1) rounds. Coefficients are the least sum of squared
-/// relative errors of coefficients that are not negative.
+/// slanting light, with threadCount() threads: on the strands as they are, in random order, and on
+/// half of them with a third of their points, at several resolutions, the least of `repeats` (>= 1)
+/// rounds. Coefficients are not negative and have the least sum of squared relative errors.
 MachineCosts calibrate(StrandView strands, const Fibre& fibre, int repeats = 3);
 /// On the built-in smooth style; seconds.
 MachineCosts calibrate();
