@@ -66,6 +66,9 @@ void addDensityMaps(float footprint, float extent, CandidateSet set, List& list)
   list.add(paper);
   paper.filter = Filter::Centred;
   list.add(paper);
+  paper.cellSize = std::max(paper.cellSize, DensityMapSettings{}.cellSize);
+  paper.filter = Filter::Paper;
+  list.add(paper);
   list.add(densityMap(footprint, extent, Deposit::Points, Filter::Paper));
   list.add(densityMap(footprint, extent, Deposit::Columns, Filter::None));
   list.add(densityMap(footprint, extent, Deposit::Columns, Filter::Paper));

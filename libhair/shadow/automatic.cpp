@@ -30,7 +30,10 @@ DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& li
   settings.footprint = footprint;
   // The filter reads beyond the hair's bounds, and must not meet their other side there.
   constexpr float kMargin = 6;
-  settings.cellSize = std::max(0.5f * footprint, extent / (kMostCells - kMargin));
+  // Half the footprint is accurate enough. Where that leaves few cells, and they cost little, up to
+  // three to a footprint are better still.
+  const float cell = std::clamp(1.5e-3f, footprint / 3, footprint / 2);
+  settings.cellSize = std::max(cell, extent / (kMostCells - kMargin));
   settings.cells =
       std::clamp(static_cast<int>(std::ceil(extent / settings.cellSize + kMargin)), 16, kMostCells);
   return settings;
