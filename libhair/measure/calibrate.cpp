@@ -52,9 +52,11 @@ std::vector<Run> plannedRuns(std::size_t hairs, float extent) {
   constexpr float kFootprints[] = {2.8f, 1, 2, 1.4f};
   for (std::size_t h = 0; h < hairs; ++h) {
     for (std::size_t c = 0; c < 4; ++c)
-      add(h, map(kCells[c], Deposit::Segments, Filter::Footprint, kFootprints[(c + h) % 4]));
-    add(h, map(h == 0 ? 5e-3f : 4e-3f, Deposit::Segments, Filter::Centred, 0));
-    add(h, map(h == 0 ? 2e-3f : 8e-3f, Deposit::Segments, Filter::Centred, 0));
+      add(h, map(kCells[c], Deposit::Columns, Filter::Footprint, kFootprints[(c + h) % 4]));
+    for (const Deposit deposit : {Deposit::Columns, Deposit::Segments}) {
+      add(h, map(h == 0 ? 5e-3f : 4e-3f, deposit, Filter::Centred, 0));
+      add(h, map(h == 0 ? 2e-3f : 8e-3f, deposit, Filter::Centred, 0));
+    }
     const float cell = h == 1 ? 2e-3f : 4e-3f;
     for (const float points : {1.5e-3f, 3e-3f, 6e-3f})
       add(h, map(points, Deposit::Points, Filter::Centred, 0));

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include <libhair/core/error.h>
+#include <libhair/shadow/automatic.h>
 
 namespace hair {
 
@@ -66,7 +67,6 @@ bool faster(const PredictedShadow& a, const PredictedShadow& b) {
 DensityMapSettings mapOf(float cell, float extent, Filter filter, float footprint) {
   constexpr int kMostCells = 512;
   DensityMapSettings s = settingsForFootprint(cell, extent + 6 * cell, kMostCells);
-  s.deposit = Deposit::Segments;
   s.filter = filter;
   if (filter == Filter::Footprint) s.footprint = footprint;
   return s;
@@ -82,13 +82,9 @@ std::vector<ShadowCandidate> choiceCandidates(StrandView strands, const LightSpa
     // A range of density maps of the same kind follows.
     const auto* const map = std::get_if<DensityMapSettings>(&c.settings);
     return isForItsPaper(c.settings) || isUncompressed(c.settings) ||
-           (map != nullptr && map->deposit == Deposit::Segments);
+           (map != nullptr && map->deposit == Deposit::Columns);
   });
-  const CellFrame frame = makeCellFrame(light, glm::vec3(0), 1.0f, 2);
-  Bounds box;
-  for (const glm::vec3 p : strands.points) box.extend(frame.cellCoordinates(p));
-  const glm::vec3 size = strands.pointCount() > 0 ? box.size() : glm::vec3(1);
-  const float extent = std::max({size.x, size.y, size.z, footprint});
+  const float extent = std::max(extentSeen(strands, light), footprint);
   const auto add = [&](int quarter, Filter filter) {
     // Cells a quarter of an octave apart.
     const float part = std::exp2(0.25f * static_cast<float>(quarter));

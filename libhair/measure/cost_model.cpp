@@ -28,6 +28,9 @@ CostTerms mapBuild(CostStage stage, const HairFeatures& hair, const DensityMapSe
     case CostStage::DepositTrilinear:
       return {hair.segments, hair.segments + hair.longestWay / cell, rowCells, brickCells,
               (hair.segments + hair.longestWay / cell) * missed};
+    case CostStage::DepositColumns:
+      return {hair.segments, hair.pixelsCrossed(cell), rowCells, brickCells,
+              hair.pixelsCrossed(cell) * missed};
     default:
       return {hair.segments, hair.cellsCrossed(cell), rowCells, brickCells,
               hair.cellsCrossed(cell) * missed};
@@ -78,6 +81,7 @@ CostTerms listsBuild(const HairFeatures& hair, float pixelSize, double clusters)
 struct Stages {
   CostStages operator()(const DensityMapSettings& s) const {
     const CostStage build = s.deposit == Deposit::Points      ? CostStage::DepositPoints
+                            : s.deposit == Deposit::Columns   ? CostStage::DepositColumns
                             : s.deposit == Deposit::Trilinear ? CostStage::DepositTrilinear
                                                               : CostStage::DepositSegments;
     return {build,
@@ -177,21 +181,15 @@ PredictedTime predictTime(const MachineCosts& machine, const HairFeatures& hair,
 }
 
 std::string costText(const MachineCosts& machine) {
-  static constexpr const char* kNames[kCostStages] = {"density map points build",
-                                                      "density map segments build",
-                                                      "density map trilinear build",
-                                                      "density map cells sample",
-                                                      "density map footprint sample",
-                                                      "shadow map build",
-                                                      "shadow map sample",
-                                                      "opacity map build",
-                                                      "opacity map sample",
-                                                      "deep opacity map build",
-                                                      "deep opacity map sample",
-                                                      "density clustering build",
-                                                      "density clustering sample",
-                                                      "deep shadow map build",
-                                                      "deep shadow map sample"};
+  static constexpr const char* kNames[kCostStages] = {
+      "density map points build",   "density map columns build",
+      "density map segments build", "density map trilinear build",
+      "density map cells sample",   "density map footprint sample",
+      "shadow map build",           "shadow map sample",
+      "opacity map build",          "opacity map sample",
+      "deep opacity map build",     "deep opacity map sample",
+      "density clustering build",   "density clustering sample",
+      "deep shadow map build",      "deep shadow map sample"};
   std::ostringstream out;
   for (std::size_t s = 0; s < kCostStages; ++s) {
     out << kNames[s] << ':';

@@ -14,6 +14,7 @@ namespace hair {
 /// The stages of shadow methods whose time is predicted, each with coefficients of its own.
 enum class CostStage {
   DepositPoints,  ///< density map, whole build with that deposit
+  DepositColumns,
   DepositSegments,
   DepositTrilinear,
   SampleCells,  ///< density map, filters of one or eight cells
