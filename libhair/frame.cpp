@@ -76,8 +76,8 @@ void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
       }
     }
     {
-      const auto cells = static_cast<std::int64_t>(settings.map.cells);
-      const StageTimer timer(profile, Stage::Transmittance, cells * cells * cells);
+      const auto cells = static_cast<std::int64_t>(map.bricks.size() * brick::kCells);
+      const StageTimer timer(profile, Stage::Transmittance, cells);
       computeTransmittance(map);
     }
     const StageTimer timer(profile, Stage::Filter, points);

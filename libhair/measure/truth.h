@@ -13,7 +13,7 @@
 
 namespace hair {
 
-/// What light reaches a point from: `from` moving against the light, and how far.
+/// From a point against the light, and how far.
 struct ShadowRay {
   glm::vec3 origin;
   glm::vec3 toLight;     ///< unit

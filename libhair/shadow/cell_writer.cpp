@@ -90,6 +90,7 @@ void CellWriter::flush() {
 
 void detail::writeCells(std::size_t count, std::size_t grain, DensityMap& map, WriteRange write,
                         void* context) {
+  map.lit = false;
   const std::size_t blocks = (count + grain - 1) / grain;
   const std::size_t workers =
       std::clamp<std::size_t>(blocks, 1, static_cast<std::size_t>(threadCount()));

@@ -22,11 +22,10 @@ inline std::uint32_t addSaturating(std::uint32_t a, std::uint32_t b) {
 }
 
 /// Adds counts to the cells of a store of its own, so that threads never meet; writeCells sums the
-/// stores up. Sums of integers do not depend on their order.
+/// stores up. Sums of integers do not depend on their order. Whoever makes one flushes it.
 class CellWriter {
  public:
   CellWriter(const DensityMap& map, BrickStore& store) : map_(map), store_(store) {}
-  ~CellWriter() { flush(); }
   CellWriter(const CellWriter&) = delete;
   CellWriter& operator=(const CellWriter&) = delete;
 

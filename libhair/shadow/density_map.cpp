@@ -66,12 +66,15 @@ void clear(DensityMap& map, const DensityMapSettings& settings, const LightSpace
     map.workers.clear();
   } else {
     map.bricks.clear();
+    // Empty but after an exception.
+    for (BrickStore& worker : map.workers) worker.clear();
   }
   map.saturatedCells = 0;
   map.settings = settings;
   map.light = light;
   map.frame = makeCellFrame(light, glm::vec3(0), settings.cellSize, settings.cells);
   map.quantum = 0;
+  map.lit = false;
   map.fibreShadow = 0;
   map.lower = glm::ivec3(INT_MAX);
   map.upper = glm::ivec3(INT_MIN);

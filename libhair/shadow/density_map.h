@@ -77,11 +77,11 @@ DensityMapSettings settingsForFootprint(float footprint, float extentNeeded, int
 ///
 ///      light → → →    a column of bricks: 4 slices deep, 4 × 16 cells across
 ///     +----+----+----+----+----+
-///     |    | B0 |    |    | B1 |      `lightIn` says for each brick of the column, counted from
-///     the
-///     +----+----+----+----+----+      light, where its transmittance stands: in the brick itself
-///      ones  B0   B0'  B0'  B1        (B0, B1), or, where none is, in the last slice of the last
-///                                     one towards the light (B0'), or in the brick of ones.
+///     |    | B0 |    |    | B1 |      `lightIn` says where the transmittance
+///     +----+----+----+----+----+      of each brick of the column stands: in
+///      ones  B0   B0'  B0'  B1        itself (B0, B1), or, where none is, in the
+///                                     last slice of the last one towards the
+///                                     light (B0'), or in the brick of ones.
 ///
 /// The modulo of the paper only decides where a cell is stored. The map remembers the bounds of
 /// what was deposited in unwrapped cells, so that the slice nearest to the light is known, and a
@@ -99,6 +99,7 @@ struct DensityMap {
   BrickStore bricks;                   ///< counts: fixed-point density
   std::vector<BrickStore> workers;     ///< what other threads deposited, before it was added up
   std::uint32_t saturatedCells = 0;    ///< whose sum did not fit; they stand at 2^32 - 1
+  bool lit = false;                    ///< transmittances are of what was deposited
   Transmittances transmittances;       ///< of the bricks
   std::vector<std::uint32_t> lightIn;  ///< [runs][across] codes, see Transmittances
   std::vector<float> lightHere;        ///< [across · brick::kLayer], of the walk along the light

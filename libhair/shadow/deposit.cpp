@@ -206,9 +206,15 @@ void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, flo
   });
 }
 
+/// The width over which a fibre is smeared out, metres. Trilinear spreads it by another half of a
+/// cell: its peaks are as low as those of fibres that fill one and a half.
+float smearedOver(const DensityMapSettings& settings) {
+  return settings.deposit == Deposit::Trilinear ? 1.5f * settings.cellSize : settings.cellSize;
+}
+
 /// Length of hair that a point stands for: the mean over at most 256 strands in a fixed order.
 float lengthOfPoint(StrandView strands) {
-  const std::size_t step = std::max<std::size_t>(strands.strandCount() / 256, 1);
+  const std::size_t step = (strands.strandCount() + 255) / 256;
   double length = 0;
   std::size_t count = 0;
   for (std::size_t s = 0; s < strands.strandCount(); s += step) {
@@ -236,13 +242,10 @@ void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t 
   const float ds = settings.cellSize;
   const auto longest = static_cast<float>(settings.cells);
   const bool length = settings.quantity == Quantity::Length;
-  // Trilinear: spread out by another half of a cell, so that its peaks are as low as those of
-  // fibres that are smeared out over one and a half.
-  const float cell = settings.deposit == Deposit::Trilinear ? 1.5f * ds : ds;
   // Deviation: extinctionOf, not -ln(1 - opacity).
-  const float perStrand = length
-                              ? fibre.hairsPerStrand * ds
-                              : fibre.width * fibre.hairsPerStrand * extinctionOf(fibre, cell) / ds;
+  const float perStrand =
+      length ? fibre.hairsPerStrand * ds
+             : fibre.width * fibre.hairsPerStrand * extinctionOf(fibre, smearedOver(settings)) / ds;
   const SegmentScale scale{perStrand * static_cast<float>(stride) / kQuantum, !length, frame};
   const std::size_t read = (strands.strandCount() + stride - 1) / stride;
   writeCells(read, 32, map, [&](CellWriter& writer, std::size_t begin, std::size_t end) {
@@ -285,7 +288,8 @@ void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint3
     map.quantum =
         settings.deposit == Deposit::Points ? pointQuantum(strands, fibre, settings) : kQuantum;
   }
-  map.fibreShadow = std::max(map.fibreShadow, fibre.width * extinctionOf(fibre, settings.cellSize));
+  map.fibreShadow =
+      std::max(map.fibreShadow, fibre.width * extinctionOf(fibre, smearedOver(settings)));
   run(strands, fibre, map, strandStride);
 }
 

@@ -13,7 +13,8 @@ namespace hair {
 ///
 /// A segment of length l at angle theta to the light, of width w and opacity alpha, adds
 ///
-///   l · sin(theta) · w · hairsPerStrand · extinctionOf(fibre, ds) / ds²
+///   l · sin(theta) · w · hairsPerStrand · extinctionOf(fibre, ds) / ds²      (Trilinear: of 1.5
+///   ds)
 ///
 /// to the optical depth of its column (Columns, Segments, Trilinear), or l ·
 /// hairsPerStrand metres (Quantity::Length, parallel light only). Deposit::Points adds one count
@@ -21,7 +22,8 @@ namespace hair {
 /// that many.
 ///
 /// Adds nothing silently wrong: map.saturatedCells counts the cells whose sum did not fit, and
-/// map.aliased() says whether the hair is larger than the map. May be called again to add more.
+/// map.aliased() says whether the hair is larger than the map. May be called again to
+/// add more; with Deposit::Points all of it counts as the points of the first call did.
 void deposit(StrandView strands, const Fibre& fibre, DensityMap& map,
              std::uint32_t strandStride = 1);
 

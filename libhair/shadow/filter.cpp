@@ -224,6 +224,7 @@ void sampleTransmittance(const DensityMap& map, std::span<const glm::vec3> point
     std::fill(out.begin(), out.end(), 1.0f);
     return;
   }
+  require(map.lit, "sampleTransmittance: computeTransmittance() of what was deposited comes first");
   const Sampler sampler(map);
   parallelFor(points.size(), 2048, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; p += CellBatch::kSize) {

@@ -121,7 +121,8 @@ struct CellFrame {
     const float rho = std::sqrt(ahead * ahead + across);
     // Behind the light rho + ahead cancels; across / (rho - ahead) is the same and does not.
     const float sum = ahead > 0 ? rho + ahead : across / (rho - ahead + 1e-30f);
-    const float g = 2.0f / std::max(sum, 1e-12f);
+    if (sum < 1e-12f) return {v.x, 1e9f, 1e9f};
+    const float g = 2.0f / sum;
     return {(2.0f * v.x + k * (v.x * v.x + v.y * v.y + v.z * v.z)) / (1.0f + rho), g * v.y,
             g * v.z};
   }

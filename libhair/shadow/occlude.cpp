@@ -20,7 +20,7 @@ struct CellBox {
   glm::ivec3 lower, upper;
 };
 
-CellBox cellBox(const CellFrame& frame, glm::vec3 centre, float radius, int cells) {
+CellBox cellBox(const CellFrame& frame, glm::vec3 centre, float radius) {
   Bounds box;
   constexpr int kSteps = 6;
   for (int x = -kSteps; x <= kSteps; ++x)
@@ -30,10 +30,24 @@ CellBox cellBox(const CellFrame& frame, glm::vec3 centre, float radius, int cell
         if (to != glm::vec3(0))
           box.extend(frame.cellCoordinates(centre + 1.02f * radius * glm::normalize(to)));
       }
-  // No more than the map: around a light inside the thing the image has no bounds.
-  const glm::ivec3 middle = floorToCell(frame.cellCoordinates(centre));
-  return {glm::max(floorToCell(box.lower), middle - cells / 2),
-          glm::min(floorToCell(box.upper), middle + cells / 2 - 1)};
+  return {floorToCell(box.lower), floorToCell(box.upper)};
+}
+
+/// What of a box the map has room for beside the hair: things farther away, a leg or a lamp's own
+/// surroundings, must not come round by the modulo.
+CellBox roomFor(CellBox box, const DensityMap& map) {
+  const int n = map.settings.cells;
+  const glm::ivec3 middle = (box.lower + box.upper) / 2;
+  for (int c = 0; c < 3; ++c) {
+    const int least = map.empty() ? middle[c] - n / 2 : map.upper[c] - n + 1;
+    const int most = map.empty() ? least + n - 1 : map.lower[c] + n - 1;
+    // In front of the map it shadows all the same: it is filled in at the first slice there is.
+    if (c > 0) box.lower[c] = std::max(box.lower[c], least);
+    box.upper[c] = std::min({box.upper[c], most, std::max(box.lower[c], least) + n - 1});
+  }
+  // Behind all hair there is nothing to shadow.
+  if (!map.empty()) box.upper.x = std::min(box.upper.x, map.upper.x);
+  return box;
 }
 
 /// distance(p): metres to the thing, negative inside, never more than the true distance.
@@ -48,8 +62,14 @@ void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMa
     map.quantum = kQuantum;
   }
   const CellFrame frame = map.frame;
-  const auto count = static_cast<std::uint32_t>(std::min(kOpaque / map.quantum, 4294967040.0f));
-  const CellBox box = cellBox(frame, centre, radius, map.settings.cells);
+  require(
+      map.quantum > 0,
+      "occlude: a point of this hair is worth no optical depth; take Deposit::Columns, or fibres "
+      "of some width and opacity");
+  const auto count =
+      static_cast<std::uint32_t>(std::min(std::max(kOpaque / map.quantum, 1.0f), 4294967040.0f));
+  const CellBox box = roomFor(cellBox(frame, centre, radius), map);
+  const int firstSlice = map.empty() ? box.lower.x : map.upper.x - map.settings.cells + 1;
   if (glm::any(glm::greaterThan(box.lower, box.upper))) return;
   const auto rows = static_cast<std::size_t>(box.upper.z - box.lower.z + 1);
   writeCells(rows, 4, map, [&](CellWriter& writer, std::size_t begin, std::size_t end) {
@@ -61,8 +81,9 @@ void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMa
                                 static_cast<float>(k) + 0.5f);
           const float d = distance(frame.point(front)) / cell;
           if (d <= -0.5f) {
-            writer.extend({i, j, k}, {i, j, k});
-            writer.add({i, j, k}, count);
+            const glm::ivec3 first(std::max(i, firstSlice), j, k);
+            writer.extend(first, first);
+            writer.add(first, count);
             break;
           }
           i += std::max(static_cast<int>(d), 1);

@@ -91,6 +91,7 @@ void computeTransmittance(DensityMap& map) {
   parallelFor(static_cast<std::size_t>(perAxis.z), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t z = begin; z < end; ++z) walk(z, map);
   });
+  map.lit = true;
 }
 
 }  // namespace hair

@@ -110,6 +110,42 @@ TEST(Occlude, HairOnTheLitSideIsAsWithoutTheHead) {
   EXPECT_GT(dark, 300);
 }
 
+TEST(Occlude, WhatIsFarAwayDoesNotComeRoundAndWhatIsInFrontShadows) {
+  const StrandSet hair = headOfHair(800, 12);
+  const LightSpace light = makeLightSpace({0, -1, 0});
+  DensityMap map;
+  const auto transmittance = [&](std::vector<Capsule> things) {
+    clear(map, settings(), light);
+    deposit(hair, {}, map);
+    occlude(things, map);
+    computeTransmittance(map);
+    EXPECT_FALSE(map.aliased());
+    std::vector<float> t(hair.pointCount());
+    sampleTransmittance(map, hair.points, t);
+    return t;
+  };
+  const auto alone = transmittance({});
+  // Legs below, a wall beside, all more than a map of 0.77 m away.
+  EXPECT_EQ(largestDifference(alone, transmittance({{{0, -1.2f, 0}, {0, -2, 0.1f}, 0.1f},
+                                                    {{1.5f, 1, 0}, {1.5f, -1, 0}, 0.2f}})),
+            0.0f);
+  const auto under = transmittance({{{0, 2, 0}, {0, 2, 0}, 0.6f}});
+  EXPECT_EQ(*std::max_element(under.begin(), under.end()), 0.0f);
+}
+
+TEST(Occlude, NothingIsReadThatWasNotLit) {
+  const StrandSet hair = headOfHair(20, 12);
+  DensityMap map;
+  clear(map, settings(), kLights[0]);
+  deposit(hair, {}, map);
+  std::vector<float> t(hair.pointCount());
+  EXPECT_THROW(sampleTransmittance(map, hair.points, t), Error);
+  computeTransmittance(map);
+  sampleTransmittance(map, hair.points, t);
+  occlude(std::span(&kBall, 1), map);
+  EXPECT_THROW(sampleTransmittance(map, hair.points, t), Error);
+}
+
 TEST(Occlude, HasTheSameBitsForAnyThreadCount) {
   const auto points = pointsAround();
   std::vector<float> first;

@@ -66,7 +66,7 @@ TEST(Approximations, StayWithinTheirStatedErrors) {
 TEST(Transmittance, EqualsTheLiteralReference) {
   const StrandSet hair = headOfHair(400, 31);
   DensityMap map;
-  for (int cells : {128, 96, 64}) {
+  for (int cells : {128, 96, 64, 130, 50, 33}) {
     for (glm::vec3 direction : {kSlanted, glm::vec3(-1, 0.2f, 0.4f), glm::vec3(0, 0, -1)}) {
       DensityMapSettings settings = paperSettings();
       settings.cells = cells;

@@ -82,8 +82,8 @@ class DeepOpacityMap final : public ImageMethod {
       : settings_(settings), layers_(settings.layers, settings.growth) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
-    setOwnShadow(fibre, settings_);
     requireFibre(fibre, "deep opacity map");
+    setOwnShadow(fibre, settings_);
     const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
     words_.reset(image, settings_.layers + 1, "deep opacity map");
     image_ = image;

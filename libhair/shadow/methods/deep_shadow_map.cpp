@@ -114,11 +114,13 @@ class DeepShadowMap final : public ImageMethod {
   explicit DeepShadowMap(const DeepShadowMapSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
+    requireFibre(fibre, "deep shadow map");
     setOwnShadow(fibre, settings_);
     // Deviation: fragments carry the mean over the pixel of what fibres take. The paper traces many
     // rays a pixel, on which fibres are opaque, and takes the mean of their functions.
-    image_ = makeLightImage(strands, light, settings_.pixelSize);
-    buildFragmentLists(strands, fibre, settings_.extinction, image_, lists_);
+    const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
+    buildFragmentLists(strands, fibre, settings_.extinction, image, lists_);
+    image_ = image;
     const std::size_t pixels = image_.pixelCount();
     blocks_.resize((pixels + kBlock - 1) / kBlock);
     parallelFor(blocks_.size(), 1, [&](std::size_t begin, std::size_t end) {

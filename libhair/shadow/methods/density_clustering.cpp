@@ -155,9 +155,11 @@ class DensityClustering final : public ImageMethod {
   explicit DensityClustering(const DensityClusteringSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
+    requireFibre(fibre, "density clustering");
     setOwnShadow(fibre, settings_);
-    image_ = makeLightImage(strands, light, settings_.pixelSize);
-    buildFragmentLists(strands, fibre, settings_.extinction, image_, lists_);
+    const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
+    buildFragmentLists(strands, fibre, settings_.extinction, image, lists_);
+    image_ = image;
     const std::size_t pixels = image_.pixelCount();
     // A pixel needs no more bins than it has fragments.
     const auto most = static_cast<std::uint32_t>(settings_.clusters);

@@ -12,7 +12,8 @@ namespace hair {
 
 /// What methods that keep an image of optical depths share with the density map, so that the
 /// comparison is of the methods: half of the shadow that a strand throws on its pixels is taken off
-/// its own points (sampleStrandTransmittance). Not in the published form.
+/// its own points (sampleStrandTransmittance). Not in the published form, nor
+/// where the nearest pixel alone is read.
 class ImageMethod : public ShadowMethod {
  public:
   void sampleStrands(StrandView strands, std::span<float> out) const final {

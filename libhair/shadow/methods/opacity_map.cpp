@@ -15,8 +15,8 @@ class OpacityMap final : public ImageMethod {
   explicit OpacityMap(const OpacityMapSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
-    setOwnShadow(fibre, settings_);
     requireFibre(fibre, "opacity map");
+    setOwnShadow(fibre, settings_);
     const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
     sums_.reset(image, settings_.slices, "opacity map");
     image_ = image;
