@@ -21,6 +21,7 @@ double median(std::vector<double> values) {
 double medianError(const std::vector<double>& values) {
   const double centre = median(values);
   std::vector<double> off;
+  off.reserve(values.size());
   for (double v : values) off.push_back(std::abs(v - centre));
   return 1.2533 * 1.4826 * median(off) / std::sqrt(static_cast<double>(values.size()));
 }
@@ -165,6 +166,7 @@ FeaturePlan measureFeatures(const MeasuredScene& scene, std::span<const Feature>
       for (Stage stage : features[i].stages) *cost.ownMs += whole.log.milliseconds(stage, 0.5);
     }
     std::vector<double> saved;
+    saved.reserve(whole.blockMs.size());
     for (std::size_t b = 0; b < whole.blockMs.size(); ++b)
       saved.push_back(whole.blockMs[b] - without[i]->blockMs[b]);
     cost.savedMs = median(saved);

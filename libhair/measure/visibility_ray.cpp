@@ -36,6 +36,7 @@ ShadowRay rayTo(const LightSpace& light, glm::vec3 origin) {
 
 std::vector<glm::vec3> evenly(glm::vec3 from, glm::vec3 to, std::size_t steps) {
   std::vector<glm::vec3> points;
+  points.reserve(steps);
   for (std::size_t i = 0; i < steps; ++i)
     points.push_back(glm::mix(from, to, static_cast<float>(i) / static_cast<float>(steps - 1)));
   return points;

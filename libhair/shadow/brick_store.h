@@ -21,7 +21,8 @@ inline constexpr int kCells = kX * kLayer;  ///< cells of a brick
 
 /// Where a wrapped cell stands in its brick: x slowest, y fastest.
 inline std::size_t offset(glm::ivec3 cell) {
-  return static_cast<std::size_t>(((cell.x % kX) * kZ + cell.z % kZ) * kY + cell.y % kY);
+  const glm::uvec3 c(cell);
+  return std::size_t{(c.x % kX * kZ + c.z % kZ) * kY + c.y % kY};
 }
 }  // namespace brick
 

@@ -71,7 +71,7 @@ void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMa
   const CellBox box = roomFor(cellBox(frame, centre, radius), map);
   const int firstSlice = map.empty() ? box.lower.x : map.upper.x - map.settings.cells + 1;
   if (glm::any(glm::greaterThan(box.lower, box.upper))) return;
-  const auto rows = static_cast<std::size_t>(box.upper.z - box.lower.z + 1);
+  const auto rows = static_cast<std::size_t>(box.upper.z - box.lower.z) + 1;
   writeCells(rows, 4, map, [&](CellWriter& writer, std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       const int k = box.lower.z + static_cast<int>(row);

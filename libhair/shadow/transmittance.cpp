@@ -37,7 +37,7 @@ struct Run {
 
 /// Walks a brick: `light`, a layer, is what enters it, and then what leaves it.
 void attenuateBrick(const std::uint32_t* counts, Run run, float depth, float* light, float* out) {
-  const auto skip = static_cast<std::size_t>(run.slice * brick::kLayer);
+  const auto skip = static_cast<std::size_t>(run.slice) * brick::kLayer;
   counts += skip;
   out += skip;
   for (int s = 0; s < run.count; ++s)

@@ -32,9 +32,7 @@ class EmbreeTracer final : public FibreTracer {
     device_.reset(rtcNewDevice(nullptr));
     require(device_ != nullptr, "Embree: no device");
     scene_.reset(rtcNewScene(device_.get()));
-    rtcSetSceneFlags(
-        scene_.get(),
-        static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     if (!segments_.empty()) {
       RTCGeometry curves = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
       auto* vertices = static_cast<glm::vec4*>(

@@ -42,8 +42,10 @@ class LayerSums {
 
   static std::uint32_t toCount(float opticalDepth) {
     constexpr auto kMostDepth = static_cast<float>(kMost) * kQuantum;
+    // To the nearest, without the library call that rounding is.
+    const float count = std::min(opticalDepth, kMostDepth) / kQuantum;
     return static_cast<std::uint32_t>(
-        static_cast<std::int32_t>(std::min(opticalDepth, kMostDepth) / kQuantum + 0.5f));
+        static_cast<std::int32_t>(count + 0.5f));  // NOLINT(bugprone-incorrect-roundings)
   }
   static float toOpticalDepth(std::uint32_t count) {
     return static_cast<float>(static_cast<std::int32_t>(count)) * kQuantum;
