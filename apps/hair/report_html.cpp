@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <apps/hair/difference_picture.h>
+#include <apps/hair/measure_choice.h>
 #include <apps/hair/method_style.h>
 #include <apps/hair/svg.h>
 #include <apps/hair/svg_plot.h>
@@ -161,6 +162,11 @@ void writeCase(const MeasureReport& report, std::size_t number, std::ostream& ou
          "is both faster and more accurate than what is on the front.</p>\n"
       << errorTimePlot(measured.trials, measured.front, report.hair.strands.pointCount());
   writeTable(measured, out);
+  if (measured.choice) {
+    std::ostringstream lines;
+    printChoice(*measured.choice, measured.trials, lines);
+    out << "<h3>The choice from the budget</h3>\n<pre>" << escaped(lines.str()) << "</pre>\n";
+  }
   out << "<h3>Visibility along one ray</h3>\n<p>What is left of the light along a ray through the "
          "thick of the hair, averaged over the footprint. Wide grey: the truth. Bold: the method's "
          "most accurate setting over all samples, which is named; thin: its other settings.</p>\n"
@@ -177,7 +183,8 @@ void writeRepeat(const MeasureReport& report, std::ostream& out) {
       << "</dd>\n<dt>CPU</dt><dd>" << escaped(report.cpu) << "</dd>\n<dt>Threads</dt><dd>"
       << report.threads << "</dd>\n<dt>Seed</dt><dd>" << report.options.seed
       << "</dd>\n</dl>\n<p>The same command with the same seed gives the same errors to the last "
-         "bit, on any number of threads. Times are this machine's: compare them within one report. "
+         "bit, on any number of threads (but which settings were chosen from a budget depends on "
+         "times). Times are this machine's: compare them within one report. "
          "Methods take turns in every one of the "
       << report.options.repeats << " rounds, so that all meet the same machine.</p>\n";
   for (const std::string& note : report.hair.notes) out << "<p>" << escaped(note) << "</p>\n";
