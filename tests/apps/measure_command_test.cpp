@@ -1,35 +1,17 @@
 // hair measure-motion, hair plan: what scripts read of them.
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include <sys/wait.h>
-
 #include <gtest/gtest.h>
 
+#include <tests/apps/outcome.h>
 #include <tests/files/samples.h>
 
 namespace hair {
 namespace {
-
-struct Outcome {
-  int code;
-  std::string out;  // both streams
-};
-
-Outcome run(const std::string& arguments) {
-  FILE* pipe = popen((std::string(HAIR_PROGRAM) + ' ' + arguments + " 2>&1").c_str(), "r");
-  std::string out;
-  std::array<char, 4096> block;
-  while (const std::size_t size = std::fread(block.data(), 1, block.size(), pipe))
-    out.append(block.data(), size);
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out};
-}
 
 std::vector<std::string> linesOf(const std::filesystem::path& file) {
   std::ifstream in(file);
