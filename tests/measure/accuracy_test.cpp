@@ -69,8 +69,8 @@ TEST_P(Accuracy, OfALampIsThatOfParallelLight) {
 }
 
 TEST_P(Accuracy, OfTheAutomaticSettingsIsNearTheBestFixedOnes) {
-  for (const glm::vec3 direction :
-       {glm::vec3(0, -1, 0), glm::vec3(-1, -0.3f, 0.2f), glm::vec3(0.3f, -0.4f, -1)})
+  for (const glm::vec3 direction : {glm::vec3(0, -1, 0), glm::vec3(-1, -0.3f, 0.2f),
+                                    glm::vec3(0.3f, -0.4f, -1), glm::vec3(0.2f, -0.5f, 1)})
     for (const float footprint : {3e-3f, 6e-3f}) {
       const LightSpace light = makeLightSpace(direction);
       std::vector<ShadowCandidate> candidates{automatic(light, footprint)};
