@@ -168,10 +168,14 @@ class Sampler {
       const int j0 = map_.wrap(map_.frame.base.y + j), j1 = j0 + 1 == n_ ? 0 : j0 + 1;
       const int k0 = map_.wrap(map_.frame.base.z + k), k1 = k0 + 1 == n_ ? 0 : k0 + 1;
       const float y = c.y[p] - static_cast<float>(j), z = c.z[p] - static_cast<float>(k);
-      const auto across = [&](Slice s) {
-        return between(between(rows_.value(s, j0, k0), rows_.value(s, j1, k0), y),
-                       between(rows_.value(s, j0, k1), rows_.value(s, j1, k1), y), z);
+      // Two cells of a row are most often in one brick: then a row is looked up once.
+      const int y0 = j0 / brick::kY, y1 = j1 / brick::kY;
+      const auto along = [&](Slice s, int row) {
+        const float* first = rows_.row(s, row, y0);
+        const float* second = y1 == y0 ? first : rows_.row(s, row, y1);
+        return between(first[j0 % brick::kY], second[j1 % brick::kY], y);
       };
+      const auto across = [&](Slice s) { return between(along(s, k0), along(s, k1), z); };
       out[p] = between(across(front), across(back), c.x[p] - static_cast<float>(i));
     }
   }
