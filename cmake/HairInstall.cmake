@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/hair")
 
 install(DIRECTORY libhair DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT library
-  FILES_MATCHING PATTERN "*.h")
+  FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE)
 install(TARGETS hair EXPORT hairTargets COMPONENT library)
 install(EXPORT hairTargets NAMESPACE hair:: DESTINATION "${package_folder}" COMPONENT library)
 if(HAIR_WITH_MODEL)

@@ -10,12 +10,12 @@ namespace hair {
 /// Eight strands side by side: one float of each. GCC's and Clang's vector extension, which every
 /// CPU has a lowering for; the operators + - * / and comparisons come with it.
 /// Rounding is that of the scalar operations, so lanes and scalars give the same bits.
-inline constexpr std::size_t kLanes = 8;
-using Lanes [[gnu::vector_size(32)]] = float;
-using LaneMask [[gnu::vector_size(32)]] = std::int32_t;
+inline constexpr std::size_t kLanes = 16;
+using Lanes [[gnu::vector_size(64)]] = float;
+using LaneMask [[gnu::vector_size(64)]] = std::int32_t;
 
 inline Lanes lanes(float v) {
-  return Lanes{v, v, v, v, v, v, v, v};
+  return Lanes{} + v;
 }
 inline Lanes min(Lanes a, Lanes b) {
   return a < b ? a : b;

@@ -69,7 +69,7 @@ class Rows {
   bool aliased_;
 };
 
-inline const Lanes kCount = {0, 1, 2, 3, 4, 5, 6, 7};
+inline const Lanes kCount = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /// The mean of darkness, 1 - transmittance, over the kernel: light itself comes out as exactly 0
 /// however the weights round. Rows of cells are summed up as they lie in their bricks, the weights
@@ -85,14 +85,12 @@ class FootprintSum {
       const int cells = std::min({brick::kY - from, n - wrapped, last - j + 1});
       Piece& piece = pieces_[count_++];
       piece.brick = wrapped / brick::kY;
-      for (std::size_t half = 0; half < 2; ++half) {
-        const Lanes lane = kCount + static_cast<float>(static_cast<int>(half * kLanes) - from);
-        const Lanes w = kernel.weights(y - static_cast<float>(j) - lane);
-        // Other cells of the brick are no neighbours where the modulo comes round.
-        const Lanes zero{};
-        piece.weights[half] = lane < 0 ? zero : lane < static_cast<float>(cells) ? w : zero;
-        piece.dark[half] = zero;
-      }
+      const Lanes lane = kCount - static_cast<float>(from);
+      const Lanes w = kernel.weights(y - static_cast<float>(j) - lane);
+      // Other cells of the brick are no neighbours where the modulo comes round.
+      const Lanes zero{};
+      piece.weights = lane < 0 ? zero : lane < static_cast<float>(cells) ? w : zero;
+      piece.dark = zero;
       j += cells;
     }
   }
@@ -102,29 +100,26 @@ class FootprintSum {
     for (std::size_t p = 0; p < count_; ++p) {
       const float* f = rows.row(front, k, pieces_[p].brick);
       const float* b = rows.row(back, k, pieces_[p].brick);
-      for (std::size_t half = 0; half < 2; ++half) {
-        Lanes atFront, atBack;
-        std::memcpy(&atFront, f + half * kLanes, sizeof atFront);
-        std::memcpy(&atBack, b + half * kLanes, sizeof atBack);
-        const Lanes t = atFront + part * (atBack - atFront);
-        pieces_[p].dark[half] += weight * (1.0f - t);
-      }
+      Lanes atFront, atBack;
+      std::memcpy(&atFront, f, sizeof atFront);
+      std::memcpy(&atBack, b, sizeof atBack);
+      pieces_[p].dark += weight * (1.0f - (atFront + part * (atBack - atFront)));
     }
   }
 
   float darkness() const {
     Lanes sum{};
-    for (std::size_t p = 0; p < count_; ++p)
-      for (std::size_t half = 0; half < 2; ++half)
-        sum += pieces_[p].weights[half] * pieces_[p].dark[half];
-    return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+    for (std::size_t p = 0; p < count_; ++p) sum += pieces_[p].weights * pieces_[p].dark;
+    for (std::size_t half = kLanes / 2; half > 0; half /= 2)
+      for (std::size_t l = 0; l < half; ++l) sum[l] += sum[l + half];
+    return sum[0];
   }
 
  private:
-  static_assert(brick::kY == 2 * kLanes);
+  static_assert(brick::kY == kLanes);
   struct Piece {
     int brick;
-    Lanes weights[2], dark[2];
+    Lanes weights, dark;
   };
   // 2 h + 2 <= 20 cells; a map of two cells comes round ten times.
   static constexpr std::size_t kMostPieces = 12;

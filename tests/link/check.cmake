@@ -29,7 +29,7 @@ string(REGEX REPLACE "[][]" "|" output "${output}")  # brackets would glue a lis
 string(REGEX MATCHALL "NEEDED[^\n|]*\\|[^|\n]+" needed "${output}")
 list(TRANSFORM needed REPLACE ".*\\|" "")
 message("links ${needed}")
-set(allowed "^(libtbb|libstdc\\+\\+|libm|libgcc_s|libc|ld-linux[-a-z0-9_]*)\\.so\\.[0-9]+$")
+set(allowed "^(libtbb|libhwy|libstdc\\+\\+|libm|libgcc_s|libc|ld-linux[-a-z0-9_]*)\\.so\\.[0-9]+$")
 set(foreign ${needed})
 list(FILTER foreign EXCLUDE REGEX "${allowed}")
 if(foreign OR NOT needed)
