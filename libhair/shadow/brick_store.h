@@ -136,6 +136,10 @@ class Transmittances {
     return values_.get() +
            (slot * std::size_t{brick::kX} + static_cast<std::size_t>(slice)) * brick::kLayer;
   }
+  const float* slice(std::uint32_t slot, int slice) const {
+    return values_.get() +
+           (slot * std::size_t{brick::kX} + static_cast<std::size_t>(slice)) * brick::kLayer;
+  }
   /// Row z (within its brick) of slice x (within its brick) of what a code says.
   const float* row(std::uint32_t code, std::uint32_t x, int z) const {
     const std::uint32_t layer = code & kFixed ? code & ~kFixed : code + x;

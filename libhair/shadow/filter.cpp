@@ -1,125 +1,211 @@
-#include <libhair/shadow/filter.h>
-
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "libhair/shadow/filter.cpp"
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include <libhair/core/error.h>
-#include <libhair/core/lanes.h>
-#include <libhair/core/parallel.h>
-#include <libhair/shadow/cell_batch.h>
-#include <libhair/shadow/footprint.h>
+#include <hwy/foreach_target.h>
 
+#include <libhair/core/simd-inl.h>
+#include <libhair/shadow/cell_frame-inl.h>
+#include <libhair/shadow/filter.h>
+#include <libhair/shadow/footprint-inl.h>
+
+#ifndef HAIR_SHADOW_FILTER_VIEW
+#define HAIR_SHADOW_FILTER_VIEW
 namespace hair {
 
-namespace {
-
-/// a at t = 0, b at t = 1; exactly a where a = b.
-float between(float a, float b, float t) {
-  return a + t * (b - a);
-}
-
-/// Where the transmittance of one slice of the map stands: the codes of its run, and which slice of
-/// their bricks.
-struct Slice {
-  const std::uint32_t* codes;  // [across]
-  std::uint32_t inBrick;
+/// What the kernels read of a map.
+struct FilterView {
+  const DensityMap& map;
+  FootprintKernel kernel;
+  const std::int32_t *codes, *inBrick;  // of slices; see TransmittanceSampler
+  float scale;
+  int perRow;  // bricks of a row of bricks
 };
 
-/// Looks up rows of 16 cells.
-class Rows {
+}  // namespace hair
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace hair {
+namespace HWY_NAMESPACE {
+
+/// Look-ups of sixteen cells at once.
+class Cells {
  public:
-  explicit Rows(const DensityMap& map)
-      : map_(map),
-        n_(map.settings.cells),
-        begin_(map.wrap(map.frame.base.x + map.lower.x)),
-        depth_(map.depth()),
-        perRow_(static_cast<std::size_t>(map.bricks.perAxis().y)),
-        aliased_(map.aliased()) {}
+  HWY_INLINE explicit Cells(const FilterView& view)
+      : view_(view),
+        map_(view.map),
+        values_(map_.transmittances.slice(0, 0)),
+        n_(map_.settings.cells),
+        deepest_(map_.depth() - 1),
+        aliased_(map_.aliased()) {}
 
-  /// The unwrapped slice i: in front of the hair that before it, behind the hair its last one.
-  Slice slice(int i) const {
-    int s = i - map_.lower.x;
+  /// Slices of transmittance: where their codes stand, and which of their bricks' slices they are.
+  struct Slices {
+    Ints codes, inBrick;
+  };
+  /// The unwrapped slices i: in front of the hair that before it, behind the hair its last one.
+  /// `lit`: those before it.
+  HWY_INLINE Slices slices(Ints i, Mask* lit = nullptr) const {
+    Ints s = i - Ints(map_.lower.x);
     // Hair deeper than the map: its far end is stored in the slices of its near end (paper, Psi).
-    if (aliased_ && s >= n_) s %= n_;
-    s = std::min(s, depth_ - 1);
-    if (s < 0) return {map_.lightIn.data(), 0};
-    const int turned = begin_ + s - n_;  // where the modulo comes round, another run begins
-    const int wrapped = turned < 0 ? begin_ + s : turned;
-    const int run = turned < 0
-                        ? wrapped / brick::kX - begin_ / brick::kX
-                        : (n_ - 1) / brick::kX - begin_ / brick::kX + 1 + wrapped / brick::kX;
-    return {map_.lightIn.data() + (static_cast<std::size_t>(run) + 1) * map_.bricks.across(),
-            static_cast<std::uint32_t>(wrapped % brick::kX)};
+    if (HWY_UNLIKELY(aliased_)) s = each(s, [this](int v) { return v >= n_ ? v % n_ : v; });
+    const Ints at = min(max(s, Ints(-1)), Ints(deepest_)) + Ints(1);
+    if (lit) *lit = at == Ints(0);
+    return {gather(view_.codes, at), gather(view_.inBrick, at)};
   }
-  bool lit(Slice s) const { return s.codes == map_.lightIn.data(); }
+  /// Where unwrapped cells are stored along an axis, from where the map's base is.
+  HWY_INLINE Ints wrap(Ints cell, int base) const {
+    const Ints n(n_);
+    Ints w = cell + Ints(base);
+    w = select(w < Ints(0), w + n, w);
+    w = select(w < n, w, w - n);
+    // Hair is hardly ever farther than a map from its anchor: then no division wraps a cell.
+    if (HWY_UNLIKELY(any((w < Ints(0)) | (w > Ints(n_ - 1))))) w = each(w, [this](int v) { return turn(v); });
+    return w;
+  }
+  HWY_INLINE Ints next(Ints wrapped) const {
+    const Ints w = wrapped + Ints(1);
+    return select(w == Ints(n_), Ints(0), w);
+  }
 
-  /// Cells of wrapped k, brick y along the row.
-  const float* row(Slice s, int k, int y) const {
-    const std::uint32_t code =
-        s.codes[static_cast<std::size_t>(k / brick::kZ) * perRow_ + static_cast<std::size_t>(y)];
-    return map_.transmittances.row(code, s.inBrick, k % brick::kZ);
+  /// Values of wrapped cells j, k.
+  HWY_INLINE Floats values(const Slices& s, Ints j, Ints k) const {
+    const Ints brick = shiftRight<2>(k) * Ints(view_.perRow) + shiftRight<4>(j);
+    const Ints code = gather(map_.lightIn.data(), s.codes + brick);
+    const Ints layer = (code & Ints(0x7fffffff)) + select(code < Ints(0), Ints(0), s.inBrick);
+    return gather(values_, shiftLeft<6>(layer) + shiftLeft<4>(k & Ints(3)) + (j & Ints(15)));
   }
-  float value(Slice s, int j, int k) const { return row(s, k, j / brick::kY)[j % brick::kY]; }
+  /// One row of 16 cells of a slice: wrapped k, brick y along the row.
+  HWY_INLINE const float* row(std::int32_t codes, std::int32_t inBrick, int k, int y) const {
+    const std::uint32_t code =
+        map_.lightIn[static_cast<std::size_t>(codes + k / brick::kZ * view_.perRow + y)];
+    return map_.transmittances.row(code, static_cast<std::uint32_t>(inBrick), k % brick::kZ);
+  }
+
+  /// None of the cells from j0 to j1 and k0 to k1 holds hair, nor does any cell in front of them.
+  HWY_INLINE Mask beside(Ints j0, Ints j1, Ints k0, Ints k1) const {
+    return (j1 < Ints(map_.lower.y)) | (j0 > Ints(map_.upper.y)) | (k1 < Ints(map_.lower.z)) |
+           (k0 > Ints(map_.upper.z));
+  }
+  const DensityMap& map() const { return map_; }
+  const FilterView& view() const { return view_; }
 
  private:
+  static_assert(brick::kX == 4 && brick::kY == 16 && brick::kZ == 4);
+
+  int turn(int i) const {
+    i %= n_;
+    return i < 0 ? i + n_ : i;
+  }
+  template <class Of>
+  static Ints each(Ints v, Of of) {
+    std::int32_t lane[kLanes];
+    store(v, lane);
+    for (std::int32_t& l : lane) l = of(l);
+    return loadInts(lane);
+  }
+
+  const FilterView& view_;
   const DensityMap& map_;
-  int n_, begin_, depth_;
-  std::size_t perRow_;
+  const float* values_;
+  int n_, deepest_;
   bool aliased_;
 };
 
-inline const Lanes kCount = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+/// a at t = 0, b at t = 1; exactly a where a = b.
+HWY_INLINE Floats between(Floats a, Floats b, Floats t) {
+  return a + t * (b - a);
+}
 
-/// The mean of darkness, 1 - transmittance, over the kernel: light itself comes out as exactly 0
-/// however the weights round. Rows of cells are summed up as they lie in their bricks, the weights
-/// along them, which all rows share, come last.
+/// The values of the points' own cells.
+HWY_INLINE Floats own(const Cells& cells, Vec3 u) {
+  const DensityMap& map = cells.map();
+  const Ints i = floorToInt(u.x), j = floorToInt(u.y), k = floorToInt(u.z);
+  const Floats t = cells.values(cells.slices(i), cells.wrap(j, map.frame.base.y),
+                                cells.wrap(k, map.frame.base.z));
+  return select(cells.beside(j, j, k, k), Floats(1.0f), t);
+}
+
+/// Between the cells i-1 and i along the light, and j, j+1, k, k+1 across it, in coordinates where
+/// cell j stands at j: those of the map less `shift`.
+HWY_INLINE Floats linear(const Cells& cells, Vec3 u, float shift) {
+  const DensityMap& map = cells.map();
+  const Floats x = u.x, y = u.y - shift, z = u.z - shift;
+  const Ints i = floorToInt(x), j = floorToInt(y), k = floorToInt(z);
+  // Stored values stand at back faces: the front face of i is the back face of i - 1, and in front
+  // of the first slice that is light itself, never the slice that the modulo puts there.
+  Mask lit;
+  const Cells::Slices back = cells.slices(i, &lit), front = cells.slices(i - Ints(1));
+  const Mask outside = lit | cells.beside(j, j + Ints(1), k, k + Ints(1));
+  const Ints j0 = cells.wrap(j, map.frame.base.y), j1 = cells.next(j0);
+  const Ints k0 = cells.wrap(k, map.frame.base.z), k1 = cells.next(k0);
+  const Floats ty = y - toFloats(j), tz = z - toFloats(k);
+  const auto across = [&](const Cells::Slices& s) HWY_ATTR {
+    const Floats a = between(cells.values(s, j0, k0), cells.values(s, j1, k0), ty);
+    const Floats b = between(cells.values(s, j0, k1), cells.values(s, j1, k1), ty);
+    return between(a, b, tz);
+  };
+  const Floats t = between(across(front), across(back), x - toFloats(i));
+  return select(outside, Floats(1.0f), t);
+}
+
+/// The mean of darkness, 1 - transmittance, over FootprintKernel: light itself comes out as exactly
+/// 0 however the weights round. Rows of cells are summed up as they lie in their bricks, the
+/// weights along them, which all rows share, come last.
 class FootprintSum {
  public:
   /// Of the unwrapped cells from `first` to `last` along rows, for a point at y.
-  FootprintSum(int first, int last, float y, const FootprintKernel& kernel, const DensityMap& map) {
+  FootprintSum(int first, int last, float y, const Cells& cells) {
+    const DensityMap& map = cells.map();
     const int n = map.settings.cells;
     for (int j = first; j <= last;) {
       const int wrapped = map.wrap(map.frame.base.y + j);
       const int from = wrapped % brick::kY;
-      const int cells = std::min({brick::kY - from, n - wrapped, last - j + 1});
+      const int count = std::min({brick::kY - from, n - wrapped, last - j + 1});
       Piece& piece = pieces_[count_++];
       piece.brick = wrapped / brick::kY;
-      const Lanes lane = kCount - static_cast<float>(from);
-      const Lanes w = kernel.weights(y - static_cast<float>(j) - lane);
+      const Floats lane = toFloats(laneNumbers() - Ints(from));
+      const Floats w = footprintWeights(cells.view().kernel, y - static_cast<float>(j) - lane);
       // Other cells of the brick are no neighbours where the modulo comes round.
-      const Lanes zero{};
-      piece.weights = lane < 0 ? zero : lane < static_cast<float>(cells) ? w : zero;
+      const Floats zero(0.0f);
+      const Mask inside = (lane >= zero) & (lane < Floats(static_cast<float>(count)));
+      piece.weights = select(inside, w, zero);
       piece.dark = zero;
-      j += cells;
+      j += count;
     }
   }
 
-  /// Row k, between two slices, `part` of the way from front to back.
-  void add(const Rows& rows, Slice front, Slice back, float part, int k, float weight) {
+  /// Slices of rows, as in Cells::Slices.
+  struct Rows {
+    std::int32_t frontCodes, frontInBrick, backCodes, backInBrick;
+    float part;  // of the way from front to back
+  };
+  /// Row k.
+  void add(const Cells& cells, const Rows& rows, int k, float weight) {
     for (std::size_t p = 0; p < count_; ++p) {
-      const float* f = rows.row(front, k, pieces_[p].brick);
-      const float* b = rows.row(back, k, pieces_[p].brick);
-      Lanes atFront, atBack;
-      std::memcpy(&atFront, f, sizeof atFront);
-      std::memcpy(&atBack, b, sizeof atBack);
-      pieces_[p].dark += weight * (1.0f - (atFront + part * (atBack - atFront)));
+      const int brick = pieces_[p].brick;
+      const Floats front = loadFloats(cells.row(rows.frontCodes, rows.frontInBrick, k, brick));
+      const Floats back = loadFloats(cells.row(rows.backCodes, rows.backInBrick, k, brick));
+      pieces_[p].dark = pieces_[p].dark + weight * (1.0f - (front + rows.part * (back - front)));
     }
   }
-
   float darkness() const {
-    Lanes sum{};
-    for (std::size_t p = 0; p < count_; ++p) sum += pieces_[p].weights * pieces_[p].dark;
+    Floats sum(0.0f);
+    for (std::size_t p = 0; p < count_; ++p) sum = sum + pieces_[p].weights * pieces_[p].dark;
+    float lane[kLanes];
+    store(sum, lane);
     for (std::size_t half = kLanes / 2; half > 0; half /= 2)
-      for (std::size_t l = 0; l < half; ++l) sum[l] += sum[l + half];
-    return sum[0];
+      for (std::size_t l = 0; l < half; ++l) lane[l] += lane[l + half];
+    return lane[0];
   }
 
  private:
   static_assert(brick::kY == kLanes);
   struct Piece {
     int brick;
-    Lanes weights, dark;
+    Floats weights, dark;
   };
   // 2 h + 2 <= 20 cells; a map of two cells comes round ten times.
   static constexpr std::size_t kMostPieces = 12;
@@ -127,137 +213,148 @@ class FootprintSum {
   std::size_t count_ = 0;
 };
 
-class Sampler {
- public:
-  explicit Sampler(const DensityMap& map)
-      : map_(map), n_(map.settings.cells), rows_(map), kernel_(map.settings) {}
+/// As `linear` along the light; across it the mean over FootprintKernel. Lanes are cells of a row:
+/// the points are looked up one after another.
+HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* out) {
+  const DensityMap& map = cells.map();
+  const FootprintKernel& kernel = cells.view().kernel;
+  const Floats x = u.x, y = u.y - 0.5f, z = u.z - 0.5f;
+  const Floats h(kernel.halfWidth);
+  const Ints i = floorToInt(x);
+  const Ints j0 = floorToInt(y - h), j1 = floorToInt(y + h) + Ints(1);
+  const Ints k0 = floorToInt(z - h), k1 = floorToInt(z + h) + Ints(1);
+  Mask lit;
+  const Cells::Slices back = cells.slices(i, &lit), front = cells.slices(i - Ints(1));
+  const std::uint32_t outside = bits(lit | cells.beside(j0, j1, k0, k1));
+  std::int32_t firstJ[kLanes], lastJ[kLanes], firstK[kLanes], lastK[kLanes];
+  std::int32_t slices[4][kLanes];
+  float part[kLanes], across[kLanes], along[kLanes];
+  store(j0, firstJ), store(j1, lastJ), store(k0, firstK), store(k1, lastK);
+  store(front.codes, slices[0]), store(front.inBrick, slices[1]);
+  store(back.codes, slices[2]), store(back.inBrick, slices[3]);
+  store(x - toFloats(i), part), store(y, along), store(z, across);
+  for (std::size_t p = 0; p < count; ++p) {
+    if (outside >> p & 1) {
+      out[p] = 1;
+      continue;
+    }
+    FootprintSum sum(firstJ[p], lastJ[p], along[p], cells);
+    const FootprintSum::Rows rows{slices[0][p], slices[1][p], slices[2][p], slices[3][p], part[p]};
+    for (int k = firstK[p]; k <= lastK[p];) {
+      float weights[kLanes];
+      store(footprintWeights(kernel, across[p] - static_cast<float>(k) - toFloats(laneNumbers())),
+            weights);
+      for (std::size_t l = 0; l < kLanes && k <= lastK[p]; ++l, ++k)
+        sum.add(cells, rows, map.wrap(map.frame.base.z + k), weights[l]);
+    }
+    out[p] = std::min(std::max(1 - sum.darkness(), 0.0f), 1.0f);
+  }
+}
 
-  /// The values of the points' own cells; at most a batch of points.
-  void own(std::span<const glm::vec3> points, std::span<float> out) const {
-    CellBatch c;
-    c.fill(map_.frame, points, glm::vec3(0));
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      const Slice slice = rows_.slice(c.i[p]);
-      out[p] = beside(c.j[p], c.j[p], c.k[p], c.k[p])
-                   ? 1.0f
-                   : rows_.value(slice, map_.wrap(map_.frame.base.y + c.j[p]),
-                                 map_.wrap(map_.frame.base.z + c.k[p]));
+void sampleAll(const FilterView& view, const glm::vec3* points, std::size_t count, float* out) {
+  const Cells cells(view);
+  const Filter filter = view.map.settings.filter;
+  for (std::size_t p = 0; p < count; p += kLanes) {
+    const std::size_t here = std::min(count - p, kLanes);
+    const glm::vec3* from = points + p;
+    glm::vec3 last[kLanes];
+    if (here < kLanes) {
+      for (std::size_t l = 0; l < kLanes; ++l) last[l] = from[std::min(l, here - 1)];
+      from = last;
+    }
+    const Vec3 u = cellCoordinates(view.map.frame, loadPoints(from));
+    Floats t;
+    float lane[kLanes];
+    if (filter == Filter::None) {
+      t = own(cells, u);
+    } else if (filter == Filter::Footprint) {
+      footprint(cells, u, here, lane);
+      t = loadFloats(lane);
+    } else {
+      // Paper: the point at lambda in cell j is between cells j - 1 (weight 1 - lambda) and j
+      // (lambda). Deviation, Centred: the paper's weights put a cell's value at its corner, which
+      // shifts shadows sideways by half a cell; across the light a cell's value belongs to its
+      // middle.
+      t = linear(cells, u, filter == Filter::Paper ? 1.0f : 0.5f);
+    }
+    t = min(t * view.scale, Floats(1.0f));
+    if (here == kLanes) {
+      store(t, out + p);
+    } else {
+      store(t, lane);
+      std::copy_n(lane, here, out + p);
     }
   }
+}
 
-  /// Between the cells i-1 and i along the light, and j, j+1, k, k+1 across it, in coordinates
-  /// where cell j stands at j: those of the map less `shift`.
-  void linear(std::span<const glm::vec3> points, glm::vec3 shift, std::span<float> out) const {
-    CellBatch c;
-    c.fill(map_.frame, points, shift);
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      const int i = c.i[p], j = c.j[p], k = c.k[p];
-      // Stored values stand at back faces: the front face of i is the back face of i - 1, and in
-      // front of the first slice that is light itself, never the slice that the modulo puts there.
-      const Slice back = rows_.slice(i);
-      if (rows_.lit(back) || beside(j, j + 1, k, k + 1)) {
-        out[p] = 1;
-        continue;
-      }
-      const Slice front = rows_.slice(i - 1);
-      const int j0 = map_.wrap(map_.frame.base.y + j), j1 = j0 + 1 == n_ ? 0 : j0 + 1;
-      const int k0 = map_.wrap(map_.frame.base.z + k), k1 = k0 + 1 == n_ ? 0 : k0 + 1;
-      const float y = c.y[p] - static_cast<float>(j), z = c.z[p] - static_cast<float>(k);
-      // Two cells of a row are most often in one brick: then a row is looked up once.
-      const int y0 = j0 / brick::kY, y1 = j1 / brick::kY;
-      const auto along = [&](Slice s, int row) {
-        const float* first = rows_.row(s, row, y0);
-        const float* second = y1 == y0 ? first : rows_.row(s, row, y1);
-        return between(first[j0 % brick::kY], second[j1 % brick::kY], y);
-      };
-      const auto across = [&](Slice s) { return between(along(s, k0), along(s, k1), z); };
-      out[p] = between(across(front), across(back), c.x[p] - static_cast<float>(i));
-    }
+}  // namespace HWY_NAMESPACE
+}  // namespace hair
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <libhair/core/error.h>
+#include <libhair/core/parallel.h>
+
+namespace hair {
+
+HWY_EXPORT(sampleAll);
+
+TransmittanceSampler::TransmittanceSampler(const DensityMap& map, Of what) : map_(map), scale_(1) {
+  if (map.empty()) return;
+  require(map.lit, "sampleTransmittance: computeTransmittance() of what was deposited comes first");
+  const FootprintKernel kernel(map.settings);
+  if (what == Of::Strands)
+    scale_ = std::exp(0.5f * map.fibreShadow / map.settings.cellSize * kernel.onALine());
+  const auto across = static_cast<std::int32_t>(map.bricks.across());
+  const int n = map.settings.cells, begin = map.wrap(map.frame.base.x + map.lower.x);
+  codes_[0] = inBrick_[0] = 0;
+  for (int s = 0; s < map.depth(); ++s) {
+    // Where the modulo comes round, another run begins.
+    const bool turned = begin + s >= n;
+    const int wrapped = turned ? begin + s - n : begin + s;
+    const int run = turned ? (n - 1) / brick::kX - begin / brick::kX + 1 + wrapped / brick::kX
+                           : wrapped / brick::kX - begin / brick::kX;
+    const auto at = static_cast<std::size_t>(s) + 1;
+    codes_[at] = (run + 1) * across;
+    inBrick_[at] = wrapped % brick::kX;
   }
+}
 
-  /// As `linear` along the light; across it the mean over FootprintKernel.
-  void footprint(std::span<const glm::vec3> points, std::span<float> out) const {
-    CellBatch c;
-    c.fill(map_.frame, points, {0, 0.5f, 0.5f});
-    const float h = kernel_.halfWidth;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      const int j0 = floorToInt(c.y[p] - h), j1 = floorToInt(c.y[p] + h) + 1;
-      const int k0 = floorToInt(c.z[p] - h), k1 = floorToInt(c.z[p] + h) + 1;
-      const Slice back = rows_.slice(c.i[p]);
-      if (rows_.lit(back) || beside(j0, j1, k0, k1)) {
-        out[p] = 1;
-        continue;
-      }
-      const Slice front = rows_.slice(c.i[p] - 1);
-      const float part = c.x[p] - static_cast<float>(c.i[p]);
-      FootprintSum sum(j0, j1, c.y[p], kernel_, map_);
-      for (int k = k0; k <= k1;) {
-        const Lanes weights = kernel_.weights(c.z[p] - static_cast<float>(k) - kCount);
-        for (std::size_t l = 0; l < kLanes && k <= k1; ++l, ++k)
-          sum.add(rows_, front, back, part, map_.wrap(map_.frame.base.z + k), weights[l]);
-      }
-      const float dark = sum.darkness();
-      out[p] = std::min(std::max(1 - dark, 0.0f), 1.0f);
-    }
+void TransmittanceSampler::sample(std::span<const glm::vec3> points, std::span<float> out) const {
+  require(out.size() == points.size(), "sampleTransmittance: ", points.size(),
+          " points but room for ", out.size(), " values");
+  if (map_.empty()) {
+    std::fill(out.begin(), out.end(), 1.0f);
+    return;
   }
+  const FilterView view{map_,   FootprintKernel(map_.settings), codes_.data(), inBrick_.data(),
+                        scale_, map_.bricks.perAxis().y};
+  HWY_DYNAMIC_DISPATCH(sampleAll)(view, points.data(), points.size(), out.data());
+}
 
- private:
-  /// None of these cells holds hair, nor does any cell in front of them.
-  bool beside(int j0, int j1, int k0, int k1) const {
-    return (j1 < map_.lower.y) | (j0 > map_.upper.y) | (k1 < map_.lower.z) | (k0 > map_.upper.z);
-  }
+namespace {
 
-  const DensityMap& map_;
-  int n_;
-  Rows rows_;
-  FootprintKernel kernel_;
-};
+void sampleInParallel(const TransmittanceSampler& sampler, std::span<const glm::vec3> points,
+                      std::span<float> out) {
+  require(out.size() == points.size(), "sampleTransmittance: ", points.size(),
+          " points but room for ", out.size(), " values");
+  parallelFor(points.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    sampler.sample(points.subspan(begin, end - begin), out.subspan(begin, end - begin));
+  });
+}
 
 }  // namespace
 
 void sampleTransmittance(const DensityMap& map, std::span<const glm::vec3> points,
                          std::span<float> out) {
-  require(out.size() == points.size(), "sampleTransmittance: ", points.size(),
-          " points but room for ", out.size(), " values");
-  if (map.empty()) {
-    std::fill(out.begin(), out.end(), 1.0f);
-    return;
-  }
-  require(map.lit, "sampleTransmittance: computeTransmittance() of what was deposited comes first");
-  const Sampler sampler(map);
-  parallelFor(points.size(), 2048, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; p += CellBatch::kSize) {
-      const std::size_t count = std::min(end - p, CellBatch::kSize);
-      const auto from = points.subspan(p, count);
-      const auto to = out.subspan(p, count);
-      switch (map.settings.filter) {
-        case Filter::None:
-          sampler.own(from, to);
-          break;
-        case Filter::Paper:
-          // The point at lambda in cell j is between cells j - 1 (weight 1 - lambda) and j
-          // (lambda).
-          sampler.linear(from, {0, 1, 1}, to);
-          break;
-        case Filter::Centred:
-          // Deviation: the paper's weights put a cell's value at its corner, which shifts shadows
-          // sideways by half a cell; across the light a cell's value belongs to its middle.
-          sampler.linear(from, {0, 0.5f, 0.5f}, to);
-          break;
-        case Filter::Footprint:
-          sampler.footprint(from, to);
-          break;
-      }
-    }
-  });
+  sampleInParallel({map, TransmittanceSampler::Of::Points}, points, out);
 }
 
 void sampleStrandTransmittance(const DensityMap& map, StrandView strands, std::span<float> out) {
-  sampleTransmittance(map, strands.points, out);
-  const float own =
-      0.5f * map.fibreShadow / map.settings.cellSize * FootprintKernel(map.settings).onALine();
-  const float without = std::exp(own);
-  for (float& t : out) t = std::min(t * without, 1.0f);
+  sampleInParallel({map, TransmittanceSampler::Of::Strands}, strands.points, out);
 }
 
 }  // namespace hair
+
+#endif

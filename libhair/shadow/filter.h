@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include <glm/glm.hpp>
@@ -23,5 +24,29 @@ void sampleTransmittance(const DensityMap& map, std::span<const glm::vec3> point
 /// for curls narrower than the filter, which cross their own light more often. `out`: [pointCount],
 /// in [0, 1].
 void sampleStrandTransmittance(const DensityMap& map, StrandView strands, std::span<float> out);
+
+/// The same for a caller with loops and threads of its own: looks up any part of the points, where
+/// they are in the cache for something else. The map must stay as it is meanwhile.
+class TransmittanceSampler {
+ public:
+  enum class Of {
+    Points,   ///< as sampleTransmittance
+    Strands,  ///< as sampleStrandTransmittance
+  };
+  /// Throws Error where hair was deposited and computeTransmittance() is still to come.
+  TransmittanceSampler(const DensityMap& map, Of what);
+
+  /// From any number of threads. `out`: [points.size()]. Bits do not depend on the parts.
+  void sample(std::span<const glm::vec3> points, std::span<float> out) const;
+
+ private:
+  static constexpr std::size_t kMostSlices = 1024;
+
+  const DensityMap& map_;
+  float scale_;  // of what is read, before it is cut at 1
+  // [0]: before the hair; [1 + s]: of slice s. Where the codes of its run stand in map.lightIn, and
+  // which slice of its bricks it is.
+  std::array<std::int32_t, kMostSlices + 1> codes_, inBrick_;
+};
 
 }  // namespace hair

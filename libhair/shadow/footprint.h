@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <libhair/core/lanes.h>
 #include <libhair/shadow/density_map.h>
 
 namespace hair {
@@ -31,12 +30,6 @@ struct FootprintKernel {
     halfWidth = std::sqrt(std::max(3 * (0.25f * radius * radius - 1.0f / 6 - smeared), 1e-4f));
   }
 
-  /// Weights of the cells whose centres are `t` cells from the point: the mean over the box of what
-  /// linear interpolation gives each.
-  Lanes weights(Lanes t) const {
-    return (0.5f / halfWidth) * (tentBelow(t + halfWidth) - tentBelow(t - halfWidth));
-  }
-
   /// Of all that stands on a line through the point, as seen across the light, the share in an area
   /// of one cell: the mean over the line's directions. (1 / this: the kernel's width.)
   float onALine() const {
@@ -59,12 +52,6 @@ struct FootprintKernel {
 
  private:
   static float cube(float t) { return t * t * t; }
-  /// Integral of the tent up to t.
-  static Lanes tentBelow(Lanes t) {
-    t = min(max(t, lanes(-1)), lanes(1));
-    const Lanes rise = t + 1.0f, fall = 1.0f - t;
-    return t < 0 ? 0.5f * rise * rise : 1.0f - 0.5f * fall * fall;
-  }
 };
 
 }  // namespace hair
