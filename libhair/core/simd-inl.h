@@ -235,6 +235,30 @@ HWY_INLINE Ints gather(const std::int32_t* from, Ints index) {
 HWY_INLINE Ints gather(const std::uint32_t* from, Ints index) {
   return gather(reinterpret_cast<const std::int32_t*>(from), index);
 }
+/// from[index] and from[index + 1].
+struct Pairs {
+  Floats first, second;
+};
+HWY_INLINE Pairs gatherPairs(const float* from, Ints index) {
+#if HWY_MAX_BYTES >= 32
+  // One look-up of 64 bits instead of two of 32.
+  const hn::Repartition<std::int64_t, FloatTag> wide;
+  const auto base = reinterpret_cast<const std::int64_t*>(from);
+  Pairs r;
+  for (std::size_t p = 0; p < kParts; ++p) {
+    const auto low = hn::PromoteTo(wide, hn::LowerHalf(index.part[p]));
+    const auto high = hn::PromoteTo(wide, hn::UpperHalf(hn::Half<IntTag>(), index.part[p]));
+    const auto a = hn::GatherOffset(wide, base, hn::ShiftLeft<2>(low));
+    const auto b = hn::GatherOffset(wide, base, hn::ShiftLeft<2>(high));
+    const FloatTag f;
+    r.first.part[p] = hn::ConcatEven(f, hn::BitCast(f, b), hn::BitCast(f, a));
+    r.second.part[p] = hn::ConcatOdd(f, hn::BitCast(f, b), hn::BitCast(f, a));
+  }
+  return r;
+#else
+  return {gather(from, index), gather(from + 1, index)};
+#endif
+}
 /// Writes the lanes of m one after another; returns how many. Up to kLanes values past them may be
 /// overwritten.
 HWY_INLINE std::size_t compress(Ints v, Mask m, std::int32_t* to) {

@@ -49,7 +49,8 @@ bool DensityMap::aliased() const {
 }
 
 std::size_t DensityMap::bytes() const {
-  return bricks.bytes() + (bricks.size() + 1) * brick::kCells * sizeof(float) +
+  return bricks.bytes() +
+         (bricks.size() + 1) * Transmittances::kLayers * Transmittances::kLayer * sizeof(float) +
          lightIn.size() * sizeof(lightIn[0]) + lightHere.size() * sizeof(lightHere[0]);
 }
 

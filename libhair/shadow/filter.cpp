@@ -21,6 +21,7 @@ struct FilterView {
   const std::int32_t *codes, *inBrick;  // of slices; see TransmittanceSampler
   float scale;
   int perRow;  // bricks of a row of bricks
+  int seam;    // the last cell of an axis, if that is in the middle of a brick; or -1
 };
 
 }  // namespace hair
@@ -36,24 +37,26 @@ class Cells {
   HWY_INLINE explicit Cells(const FilterView& view)
       : view_(view),
         map_(view.map),
-        values_(map_.transmittances.slice(0, 0)),
         n_(map_.settings.cells),
         deepest_(map_.depth() - 1),
         aliased_(map_.aliased()) {}
 
-  /// Slices of transmittance: where their codes stand, and which of their bricks' slices they are.
+  /// Two slices of transmittance that follow each other, where each lane has its own.
   struct Slices {
-    Ints codes, inBrick;
+    Ints codes;    // where the codes of the back one's run stand
+    Ints inBrick;  // which of its bricks' slices it is
+    Mask lit;      // it is in front of the hair
+    Mask first;    // the front one is in front of the hair
+    Mask behind;   // both are the hair's last
   };
-  /// The unwrapped slices i: in front of the hair that before it, behind the hair its last one.
-  /// `lit`: those before it.
-  HWY_INLINE Slices slices(Ints i, Mask* lit = nullptr) const {
+  /// The unwrapped slice i and the one before it.
+  HWY_INLINE Slices slices(Ints i) const {
     Ints s = i - Ints(map_.lower.x);
     // Hair deeper than the map: its far end is stored in the slices of its near end (paper, Psi).
     if (HWY_UNLIKELY(aliased_)) s = each(s, [this](int v) { return v >= n_ ? v % n_ : v; });
     const Ints at = min(max(s, Ints(-1)), Ints(deepest_)) + Ints(1);
-    if (lit) *lit = at == Ints(0);
-    return {gather(view_.codes, at), gather(view_.inBrick, at)};
+    return {gather(view_.codes, at), gather(view_.inBrick, at), at == Ints(0), at == Ints(1),
+            s > Ints(deepest_)};
   }
   /// Where unwrapped cells are stored along an axis, from where the map's base is.
   HWY_INLINE Ints wrap(Ints cell, int base) const {
@@ -62,7 +65,8 @@ class Cells {
     w = select(w < Ints(0), w + n, w);
     w = select(w < n, w, w - n);
     // Hair is hardly ever farther than a map from its anchor: then no division wraps a cell.
-    if (HWY_UNLIKELY(any((w < Ints(0)) | (w > Ints(n_ - 1))))) w = each(w, [this](int v) { return turn(v); });
+    if (HWY_UNLIKELY(any((w < Ints(0)) | (w > Ints(n_ - 1)))))
+      w = each(w, [this](int v) { return turn(v); });
     return w;
   }
   HWY_INLINE Ints next(Ints wrapped) const {
@@ -70,18 +74,41 @@ class Cells {
     return select(w == Ints(n_), Ints(0), w);
   }
 
-  /// Values of wrapped cells j, k.
-  HWY_INLINE Floats values(const Slices& s, Ints j, Ints k) const {
+  /// Where the value of wrapped cells j, k stands in the back slice, and how far before it that of
+  /// the front one does.
+  struct Place {
+    Ints back, toFront;
+    Mask fixed;  // no brick is there
+  };
+  HWY_INLINE Place place(const Slices& s, Ints j, Ints k) const {
     const Ints brick = shiftRight<2>(k) * Ints(view_.perRow) + shiftRight<4>(j);
     const Ints code = gather(map_.lightIn.data(), s.codes + brick);
-    const Ints layer = (code & Ints(0x7fffffff)) + select(code < Ints(0), Ints(0), s.inBrick);
-    return gather(values_, shiftLeft<6>(layer) + shiftLeft<4>(k & Ints(3)) + (j & Ints(15)));
+    const Mask fixed = code < Ints(0);
+    const Ints layer = (code & Ints(0x7fffffff)) + select(fixed, Ints(0), s.inBrick);
+    return {layer * Ints(Transmittances::kLayer) + (k & Ints(3)) * Ints(Transmittances::kRow) +
+                (j & Ints(15)),
+            select(fixed | s.behind, Ints(0), Ints(Transmittances::kLayer)), fixed};
   }
-  /// One row of 16 cells of a slice: wrapped k, brick y along the row.
-  HWY_INLINE const float* row(std::int32_t codes, std::int32_t inBrick, int k, int y) const {
-    const std::uint32_t code =
-        map_.lightIn[static_cast<std::size_t>(codes + k / brick::kZ * view_.perRow + y)];
-    return map_.transmittances.row(code, static_cast<std::uint32_t>(inBrick), k % brick::kZ);
+  HWY_INLINE Floats value(Ints place) const { return gather(map_.transmittances.data(), place); }
+
+  /// Of wrapped cells j and those after them, in the front and the back slice.
+  struct Row {
+    Pairs front, back;
+  };
+  HWY_INLINE Row row(const Slices& s, Ints j, Ints k) const {
+    const float* values = map_.transmittances.data();
+    const Place here = place(s, j, k);
+    Row r{gatherPairs(values, here.back - here.toFront), gatherPairs(values, here.back)};
+    // What is beside a row is right in bricks that exist, and where the modulo does not come round
+    // in the middle of one.
+    const Mask edge = ((j & Ints(15)) == Ints(15)) & here.fixed;
+    const Mask elsewhere = edge | (j == Ints(view_.seam));
+    if (HWY_UNLIKELY(any(elsewhere))) {
+      const Place beside = place(s, next(j), k);
+      r.front.second = select(elsewhere, value(beside.back - beside.toFront), r.front.second);
+      r.back.second = select(elsewhere, value(beside.back), r.back.second);
+    }
+    return r;
   }
 
   /// None of the cells from j0 to j1 and k0 to k1 holds hair, nor does any cell in front of them.
@@ -109,7 +136,6 @@ class Cells {
 
   const FilterView& view_;
   const DensityMap& map_;
-  const float* values_;
   int n_, deepest_;
   bool aliased_;
 };
@@ -121,33 +147,31 @@ HWY_INLINE Floats between(Floats a, Floats b, Floats t) {
 
 /// The values of the points' own cells.
 HWY_INLINE Floats own(const Cells& cells, Vec3 u) {
-  const DensityMap& map = cells.map();
+  const glm::ivec3 base = cells.map().frame.base;
   const Ints i = floorToInt(u.x), j = floorToInt(u.y), k = floorToInt(u.z);
-  const Floats t = cells.values(cells.slices(i), cells.wrap(j, map.frame.base.y),
-                                cells.wrap(k, map.frame.base.z));
+  const Floats t =
+      cells.value(cells.place(cells.slices(i), cells.wrap(j, base.y), cells.wrap(k, base.z)).back);
   return select(cells.beside(j, j, k, k), Floats(1.0f), t);
 }
 
 /// Between the cells i-1 and i along the light, and j, j+1, k, k+1 across it, in coordinates where
 /// cell j stands at j: those of the map less `shift`.
 HWY_INLINE Floats linear(const Cells& cells, Vec3 u, float shift) {
-  const DensityMap& map = cells.map();
+  const glm::ivec3 base = cells.map().frame.base;
   const Floats x = u.x, y = u.y - shift, z = u.z - shift;
   const Ints i = floorToInt(x), j = floorToInt(y), k = floorToInt(z);
+  const Ints j0 = cells.wrap(j, base.y), k0 = cells.wrap(k, base.z);
+  const Floats tx = x - toFloats(i), ty = y - toFloats(j), tz = z - toFloats(k);
+  const Cells::Slices slices = cells.slices(i);
+  const Cells::Row low = cells.row(slices, j0, k0), high = cells.row(slices, j0, cells.next(k0));
+  const auto across = [&](const Pairs& a, const Pairs& b) HWY_ATTR {
+    return between(between(a.first, a.second, ty), between(b.first, b.second, ty), tz);
+  };
   // Stored values stand at back faces: the front face of i is the back face of i - 1, and in front
   // of the first slice that is light itself, never the slice that the modulo puts there.
-  Mask lit;
-  const Cells::Slices back = cells.slices(i, &lit), front = cells.slices(i - Ints(1));
-  const Mask outside = lit | cells.beside(j, j + Ints(1), k, k + Ints(1));
-  const Ints j0 = cells.wrap(j, map.frame.base.y), j1 = cells.next(j0);
-  const Ints k0 = cells.wrap(k, map.frame.base.z), k1 = cells.next(k0);
-  const Floats ty = y - toFloats(j), tz = z - toFloats(k);
-  const auto across = [&](const Cells::Slices& s) HWY_ATTR {
-    const Floats a = between(cells.values(s, j0, k0), cells.values(s, j1, k0), ty);
-    const Floats b = between(cells.values(s, j0, k1), cells.values(s, j1, k1), ty);
-    return between(a, b, tz);
-  };
-  const Floats t = between(across(front), across(back), x - toFloats(i));
+  const Floats front = select(slices.first, Floats(1.0f), across(low.front, high.front));
+  const Floats t = between(front, across(low.back, high.back), tx);
+  const Mask outside = slices.lit | cells.beside(j, j + Ints(1), k, k + Ints(1));
   return select(outside, Floats(1.0f), t);
 }
 
@@ -177,17 +201,25 @@ class FootprintSum {
     }
   }
 
-  /// Slices of rows, as in Cells::Slices.
+  /// Two slices that follow each other, as in Cells::Slices.
   struct Rows {
-    std::int32_t frontCodes, frontInBrick, backCodes, backInBrick;
+    std::int32_t codes;
+    std::uint32_t inBrick;
+    bool first, behind;
     float part;  // of the way from front to back
   };
   /// Row k.
   void add(const Cells& cells, const Rows& rows, int k, float weight) {
+    const DensityMap& map = cells.map();
+    const std::uint32_t* codes =
+        map.lightIn.data() + rows.codes + k / brick::kZ * cells.view().perRow;
     for (std::size_t p = 0; p < count_; ++p) {
-      const int brick = pieces_[p].brick;
-      const Floats front = loadFloats(cells.row(rows.frontCodes, rows.frontInBrick, k, brick));
-      const Floats back = loadFloats(cells.row(rows.backCodes, rows.backInBrick, k, brick));
+      const std::uint32_t code = codes[pieces_[p].brick];
+      const float* at = map.transmittances.row(code, rows.inBrick, k % brick::kZ);
+      const bool same = rows.behind || (code & Transmittances::kFixed);
+      const Floats back = loadFloats(at);
+      const Floats front =
+          rows.first ? Floats(1.0f) : loadFloats(same ? at : at - Transmittances::kLayer);
       pieces_[p].dark = pieces_[p].dark + weight * (1.0f - (front + rows.part * (back - front)));
     }
   }
@@ -223,15 +255,14 @@ HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* 
   const Ints i = floorToInt(x);
   const Ints j0 = floorToInt(y - h), j1 = floorToInt(y + h) + Ints(1);
   const Ints k0 = floorToInt(z - h), k1 = floorToInt(z + h) + Ints(1);
-  Mask lit;
-  const Cells::Slices back = cells.slices(i, &lit), front = cells.slices(i - Ints(1));
-  const std::uint32_t outside = bits(lit | cells.beside(j0, j1, k0, k1));
+  const Cells::Slices slices = cells.slices(i);
+  const std::uint32_t outside = bits(slices.lit | cells.beside(j0, j1, k0, k1));
+  const std::uint32_t first = bits(slices.first), behind = bits(slices.behind);
   std::int32_t firstJ[kLanes], lastJ[kLanes], firstK[kLanes], lastK[kLanes];
-  std::int32_t slices[4][kLanes];
+  std::int32_t codes[kLanes], inBrick[kLanes];
   float part[kLanes], across[kLanes], along[kLanes];
   store(j0, firstJ), store(j1, lastJ), store(k0, firstK), store(k1, lastK);
-  store(front.codes, slices[0]), store(front.inBrick, slices[1]);
-  store(back.codes, slices[2]), store(back.inBrick, slices[3]);
+  store(slices.codes, codes), store(slices.inBrick, inBrick);
   store(x - toFloats(i), part), store(y, along), store(z, across);
   for (std::size_t p = 0; p < count; ++p) {
     if (outside >> p & 1) {
@@ -239,7 +270,8 @@ HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* 
       continue;
     }
     FootprintSum sum(firstJ[p], lastJ[p], along[p], cells);
-    const FootprintSum::Rows rows{slices[0][p], slices[1][p], slices[2][p], slices[3][p], part[p]};
+    const FootprintSum::Rows rows{codes[p], static_cast<std::uint32_t>(inBrick[p]),
+                                  (first >> p & 1) != 0, (behind >> p & 1) != 0, part[p]};
     for (int k = firstK[p]; k <= lastK[p];) {
       float weights[kLanes];
       store(footprintWeights(kernel, across[p] - static_cast<float>(k) - toFloats(laneNumbers())),
@@ -328,8 +360,14 @@ void TransmittanceSampler::sample(std::span<const glm::vec3> points, std::span<f
     std::fill(out.begin(), out.end(), 1.0f);
     return;
   }
-  const FilterView view{map_,   FootprintKernel(map_.settings), codes_.data(), inBrick_.data(),
-                        scale_, map_.bricks.perAxis().y};
+  const int n = map_.settings.cells;
+  const FilterView view{map_,
+                        FootprintKernel(map_.settings),
+                        codes_.data(),
+                        inBrick_.data(),
+                        scale_,
+                        map_.bricks.perAxis().y,
+                        n % brick::kY == 0 ? -1 : n - 1};
   HWY_DYNAMIC_DISPATCH(sampleAll)(view, points.data(), points.size(), out.data());
 }
 

@@ -1,33 +1,17 @@
-#include <libhair/shadow/transmittance.h>
-
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "libhair/shadow/transmittance.cpp"
 #include <algorithm>
 
-#include <libhair/core/approximate.h>
-#include <libhair/core/parallel.h>
+#include <hwy/foreach_target.h>
 
+#include <libhair/core/simd-inl.h>
+#include <libhair/shadow/transmittance.h>
+
+HWY_BEFORE_NAMESPACE();
 namespace hair {
+namespace HWY_NAMESPACE {
 
-namespace {
-
-// Below this no display and no sum can tell the light from none; denormals would be slow.
-constexpr float kDark = 1e-30f;
-
-/// One row of a brick: light[j] and out[j] become light[j] · exp(-depth · counts[j]).
-void attenuateRow(const std::uint32_t* counts, float depth, float* light, float* out) {
-  std::uint32_t any = 0;
-  for (std::size_t j = 0; j < brick::kY; ++j) any |= counts[j];
-  if (any == 0) {
-    std::copy_n(light, brick::kY, out);
-    return;
-  }
-  for (std::size_t j = 0; j < brick::kY; ++j) {
-    // Two exact conversions of 16 bits: baseline x86-64 has none for 32 unsigned bits.
-    const float count = static_cast<float>(static_cast<std::int32_t>(counts[j] >> 16)) * 65536.0f +
-                        static_cast<float>(static_cast<std::int32_t>(counts[j] & 0xffffu));
-    const float t = light[j] * expMinusApproximate(count * depth);
-    light[j] = out[j] = t < kDark ? 0.0f : t;
-  }
-}
+static_assert(brick::kY == kLanes);
 
 /// Slices of one brick that follow each other.
 struct Run {
@@ -35,15 +19,39 @@ struct Run {
   int count;
 };
 
-/// Walks a brick: `light`, a layer, is what enters it, and then what leaves it.
-void attenuateBrick(const std::uint32_t* counts, Run run, float depth, float* light, float* out) {
-  const auto skip = static_cast<std::size_t>(run.slice) * brick::kLayer;
-  counts += skip;
-  out += skip;
-  for (int s = 0; s < run.count; ++s)
-    for (std::size_t row = 0; row < brick::kLayer;
-         row += brick::kY, counts += brick::kY, out += brick::kY)
-      attenuateRow(counts, depth, light + row, out);
+/// Walks a brick: `light` [brick::kLayer] is what enters it, and then what leaves it. `out`: the
+/// layer before the run's first slice, and those after each.
+HWY_INLINE void attenuate(const std::uint32_t* counts, Run run, float depth, float* light,
+                          float* out) {
+  // Below this no display and no sum can tell the light from none; denormals would be slow.
+  const Floats dark(1e-30f), zero(0.0f);
+  const auto cells = reinterpret_cast<const std::int32_t*>(counts) + run.slice * brick::kLayer;
+  for (int z = 0; z < brick::kZ; ++z) {
+    Floats t = loadFloats(light + z * brick::kY);
+    float* to = out + z * Transmittances::kRow;
+    store(t, to);
+    for (int s = 0; s < run.count; ++s) {
+      const Ints count = loadInts(cells + s * brick::kLayer + z * brick::kY);
+      // In two exact parts: counts have 32 bits and no sign.
+      const Floats n = toFloats(shiftRight<16>(count) & Ints(0xffff)) * 65536.0f +
+                       toFloats(count & Ints(0xffff));
+      t = t * expMinusApproximate(n * depth);
+      t = select(t < dark, zero, t);
+      to += Transmittances::kLayer;
+      store(t, to);
+    }
+    store(t, light + z * brick::kY);
+  }
+}
+
+/// The last column of a brick's layers: the first one of the next brick, `next`; where none is, the
+/// light does not change.
+HWY_INLINE void copyNeighbour(int layers, const float* next, const float* light, float* out) {
+  for (int layer = 0; layer < layers; ++layer)
+    for (int z = 0; z < brick::kZ; ++z)
+      out[layer * Transmittances::kLayer + z * Transmittances::kRow + brick::kY] =
+          next ? next[layer * Transmittances::kLayer + z * Transmittances::kRow]
+               : light[z * brick::kY];
 }
 
 /// The columns of one row of bricks across the light.
@@ -61,16 +69,28 @@ void walk(std::size_t z, DensityMap& map) {
     const int slice = first % brick::kX;
     const Run run{slice, std::min({brick::kX - slice, map.settings.cells - first, slices - s})};
     const std::uint32_t* slots = bricks.slots(bricks.place({first, 0, 0}) + z * perRow);
+    const auto layerBefore = [&](std::uint32_t slot) HWY_ATTR {
+      return map.transmittances.layer(Transmittances::code(slot) - 1 +
+                                      static_cast<std::uint32_t>(slice));
+    };
     std::uint32_t* in = before + bricks.across();
+    bool any = false;
     for (std::size_t y = 0; y < perRow; ++y) {
       if (slots[y] == 0) {
         in[y] = before[y] & Transmittances::kFixed ? before[y]
                                                    : (before[y] + last) | Transmittances::kFixed;
         continue;
       }
-      in[y] = slots[y] * brick::kX;
-      attenuateBrick(bricks.cells(slots[y]), run, map.quantum, light + y * brick::kLayer,
-                     map.transmittances.slice(slots[y], 0));
+      any = true;
+      in[y] = Transmittances::code(slots[y]);
+      attenuate(bricks.cells(slots[y]), run, map.quantum, light + y * brick::kLayer,
+                layerBefore(slots[y]));
+    }
+    for (std::size_t y = 0; any && y < perRow; ++y) {
+      if (slots[y] == 0) continue;
+      const std::size_t beside = y + 1 < perRow ? y + 1 : 0;
+      copyNeighbour(run.count + 1, slots[beside] ? layerBefore(slots[beside]) : nullptr,
+                    light + beside * brick::kLayer, layerBefore(slots[y]));
     }
     before = in;
     last = static_cast<std::uint32_t>(run.slice + run.count - 1);
@@ -78,7 +98,21 @@ void walk(std::size_t z, DensityMap& map) {
   }
 }
 
-}  // namespace
+void walkRows(std::size_t begin, std::size_t end, DensityMap& map) {
+  for (std::size_t z = begin; z < end; ++z) walk(z, map);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hair
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <libhair/core/parallel.h>
+
+namespace hair {
+
+HWY_EXPORT(walkRows);
 
 void computeTransmittance(DensityMap& map) {
   const glm::ivec3 perAxis = map.bricks.perAxis();
@@ -89,9 +123,11 @@ void computeTransmittance(DensityMap& map) {
   map.lightIn.resize((static_cast<std::size_t>(perAxis.x) + 2) * across);
   map.lightHere.resize(across * brick::kLayer);
   parallelFor(static_cast<std::size_t>(perAxis.z), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t z = begin; z < end; ++z) walk(z, map);
+    HWY_DYNAMIC_DISPATCH(walkRows)(begin, end, map);
   });
   map.lit = true;
 }
 
 }  // namespace hair
+
+#endif
