@@ -91,22 +91,38 @@ class Cells {
   }
   HWY_INLINE Floats value(Ints place) const { return gather(map_.transmittances.data(), place); }
 
-  /// Of wrapped cells j and those after them, in the front and the back slice.
+  /// Where wrapped cells j, and those after them, stand in the front and the back slice.
   struct Row {
-    Pairs front, back;
+    Ints front, back;
+    // Where a cell is not right after that before it.
+    bool anyElsewhere;
+    Mask elsewhere;
+    Ints frontNext, backNext;
   };
   HWY_INLINE Row row(const Slices& s, Ints j, Ints k) const {
-    const float* values = map_.transmittances.data();
     const Place here = place(s, j, k);
-    Row r{gatherPairs(values, here.back - here.toFront), gatherPairs(values, here.back)};
+    Row r;
+    r.front = here.back - here.toFront, r.back = here.back;
     // What is beside a row is right in bricks that exist, and where the modulo does not come round
     // in the middle of one.
     const Mask edge = ((j & Ints(15)) == Ints(15)) & here.fixed;
-    const Mask elsewhere = edge | (j == Ints(view_.seam));
-    if (HWY_UNLIKELY(any(elsewhere))) {
+    r.elsewhere = edge | (j == Ints(view_.seam));
+    r.anyElsewhere = any(r.elsewhere);
+    if (HWY_UNLIKELY(r.anyElsewhere)) {
       const Place beside = place(s, next(j), k);
-      r.front.second = select(elsewhere, value(beside.back - beside.toFront), r.front.second);
-      r.back.second = select(elsewhere, value(beside.back), r.back.second);
+      r.frontNext = beside.back - beside.toFront, r.backNext = beside.back;
+    }
+    return r;
+  }
+  struct RowValues {
+    Pairs front, back;
+  };
+  HWY_INLINE RowValues values(const Row& row) const {
+    const float* values = map_.transmittances.data();
+    RowValues r{gatherPairs(values, row.front), gatherPairs(values, row.back)};
+    if (HWY_UNLIKELY(row.anyElsewhere)) {
+      r.front.second = select(row.elsewhere, value(row.frontNext), r.front.second);
+      r.back.second = select(row.elsewhere, value(row.backNext), r.back.second);
     }
     return r;
   }
@@ -154,26 +170,38 @@ HWY_INLINE Floats own(const Cells& cells, Vec3 u) {
   return select(cells.beside(j, j, k, k), Floats(1.0f), t);
 }
 
-/// Between the cells i-1 and i along the light, and j, j+1, k, k+1 across it, in coordinates where
-/// cell j stands at j: those of the map less `shift`.
-HWY_INLINE Floats linear(const Cells& cells, Vec3 u, float shift) {
-  const glm::ivec3 base = cells.map().frame.base;
-  const Floats x = u.x, y = u.y - shift, z = u.z - shift;
-  const Ints i = floorToInt(x), j = floorToInt(y), k = floorToInt(z);
-  const Ints j0 = cells.wrap(j, base.y), k0 = cells.wrap(k, base.z);
-  const Floats tx = x - toFloats(i), ty = y - toFloats(j), tz = z - toFloats(k);
-  const Cells::Slices slices = cells.slices(i);
-  const Cells::Row low = cells.row(slices, j0, k0), high = cells.row(slices, j0, cells.next(k0));
-  const auto across = [&](const Pairs& a, const Pairs& b) HWY_ATTR {
-    return between(between(a.first, a.second, ty), between(b.first, b.second, ty), tz);
-  };
-  // Stored values stand at back faces: the front face of i is the back face of i - 1, and in front
-  // of the first slice that is light itself, never the slice that the modulo puts there.
-  const Floats front = select(slices.first, Floats(1.0f), across(low.front, high.front));
-  const Floats t = between(front, across(low.back, high.back), tx);
-  const Mask outside = slices.lit | cells.beside(j, j + Ints(1), k, k + Ints(1));
-  return select(outside, Floats(1.0f), t);
-}
+/// The cells i-1 and i along the light, and j, j+1, k, k+1 across it, in coordinates where cell j
+/// stands at j: those of the map less `shift`. Found for several vectors of points before any of
+/// them is read, so that one look-up need not wait for another.
+struct Linear {
+  Floats x, y, z;  // of the way from one to the other
+  Cells::Row low, high;
+  Mask first, outside;
+
+  Linear() = default;
+  HWY_INLINE Linear(const Cells& cells, Vec3 u, float shift) {
+    const glm::ivec3 base = cells.map().frame.base;
+    y = u.y - shift, z = u.z - shift;
+    const Ints i = floorToInt(u.x), j = floorToInt(y), k = floorToInt(z);
+    x = u.x - toFloats(i), y = y - toFloats(j), z = z - toFloats(k);
+    const Ints j0 = cells.wrap(j, base.y), k0 = cells.wrap(k, base.z);
+    const Cells::Slices slices = cells.slices(i);
+    low = cells.row(slices, j0, k0);
+    high = cells.row(slices, j0, cells.next(k0));
+    first = slices.first;
+    outside = slices.lit | cells.beside(j, j + Ints(1), k, k + Ints(1));
+  }
+  HWY_INLINE Floats value(const Cells& cells) const {
+    const Cells::RowValues a = cells.values(low), b = cells.values(high);
+    const auto across = [&](const Pairs& l, const Pairs& h) HWY_ATTR {
+      return between(between(l.first, l.second, y), between(h.first, h.second, y), z);
+    };
+    // Stored values stand at back faces: the front face of i is the back face of i - 1, and in
+    // front of the first slice that is light itself, never the slice that the modulo puts there.
+    const Floats front = select(first, Floats(1.0f), across(a.front, b.front));
+    return select(outside, Floats(1.0f), between(front, across(a.back, b.back), x));
+  }
+};
 
 /// The mean of darkness, 1 - transmittance, over FootprintKernel: light itself comes out as exactly
 /// 0 however the weights round. Rows of cells are summed up as they lie in their bricks, the
@@ -283,39 +311,42 @@ HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* 
   }
 }
 
+/// Coordinates of up to sixteen points; those that are not there repeat the last.
+HWY_INLINE Vec3 coordinates(const FilterView& view, const glm::vec3* points, std::size_t count) {
+  glm::vec3 all[kLanes];
+  if (HWY_UNLIKELY(count < kLanes)) {
+    for (std::size_t l = 0; l < kLanes; ++l) all[l] = points[std::min(l, count - 1)];
+    points = all;
+  }
+  return cellCoordinates(view.map.frame, loadPoints(points));
+}
+
 void sampleAll(const FilterView& view, const glm::vec3* points, std::size_t count, float* out) {
+  constexpr std::size_t kVectors = 4;
   const Cells cells(view);
   const Filter filter = view.map.settings.filter;
-  for (std::size_t p = 0; p < count; p += kLanes) {
-    const std::size_t here = std::min(count - p, kLanes);
-    const glm::vec3* from = points + p;
-    glm::vec3 last[kLanes];
-    if (here < kLanes) {
-      for (std::size_t l = 0; l < kLanes; ++l) last[l] = from[std::min(l, here - 1)];
-      from = last;
+  // Paper: the point at lambda in cell j is between cells j - 1 (weight 1 - lambda) and j (lambda).
+  // Deviation, Centred: the paper's weights put a cell's value at its corner, which shifts shadows
+  // sideways by half a cell; across the light a cell's value belongs to its middle.
+  const float shift = filter == Filter::Paper ? 1.0f : 0.5f;
+  for (std::size_t p = 0; p < count; p += kVectors * kLanes) {
+    const std::size_t here = std::min(count - p, kVectors * kLanes);
+    const std::size_t vectors = (here + kLanes - 1) / kLanes;
+    float t[kVectors * kLanes];
+    Linear linear[kVectors];
+    for (std::size_t v = 0; v < vectors; ++v) {
+      const std::size_t first = p + v * kLanes;
+      const Vec3 u = coordinates(view, points + first, std::min(count - first, kLanes));
+      if (filter == Filter::None)
+        store(own(cells, u), t + v * kLanes);
+      else if (filter == Filter::Footprint)
+        footprint(cells, u, std::min(count - first, kLanes), t + v * kLanes);
+      else
+        linear[v] = Linear(cells, u, shift);
     }
-    const Vec3 u = cellCoordinates(view.map.frame, loadPoints(from));
-    Floats t;
-    float lane[kLanes];
-    if (filter == Filter::None) {
-      t = own(cells, u);
-    } else if (filter == Filter::Footprint) {
-      footprint(cells, u, here, lane);
-      t = loadFloats(lane);
-    } else {
-      // Paper: the point at lambda in cell j is between cells j - 1 (weight 1 - lambda) and j
-      // (lambda). Deviation, Centred: the paper's weights put a cell's value at its corner, which
-      // shifts shadows sideways by half a cell; across the light a cell's value belongs to its
-      // middle.
-      t = linear(cells, u, filter == Filter::Paper ? 1.0f : 0.5f);
-    }
-    t = min(t * view.scale, Floats(1.0f));
-    if (here == kLanes) {
-      store(t, out + p);
-    } else {
-      store(t, lane);
-      std::copy_n(lane, here, out + p);
-    }
+    if (filter == Filter::Paper || filter == Filter::Centred)
+      for (std::size_t v = 0; v < vectors; ++v) store(linear[v].value(cells), t + v * kLanes);
+    for (std::size_t l = 0; l < here; ++l) out[p + l] = std::min(t[l] * view.scale, 1.0f);
   }
 }
 
