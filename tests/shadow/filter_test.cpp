@@ -17,8 +17,8 @@ namespace {
 // so that neither bricks nor runs nor codes are in it.
 double leaving(const DensityMap& map, glm::ivec3 cell) {
   double depth = 0;
-  const bool beside = cell.y < map.lower.y || cell.y > map.upper.y || cell.z < map.lower.z ||
-                      cell.z > map.upper.z;
+  const bool beside =
+      cell.y < map.lower.y || cell.y > map.upper.y || cell.z < map.lower.z || cell.z > map.upper.z;
   for (int i = map.lower.x; !beside && i <= std::min(cell.x, map.upper.x); ++i)
     depth += static_cast<double>(map.quantum) * map.count({i, cell.y, cell.z});
   return std::exp(-depth);
@@ -29,8 +29,7 @@ double filtered(const DensityMap& map, glm::vec3 p) {
   const glm::dvec3 shift(0, 1, 1);
   const glm::vec3 u = map.frame.cellCoordinates(p);
   if (map.settings.filter == Filter::None) return leaving(map, glm::ivec3(glm::floor(u)));
-  const glm::dvec3 v =
-      glm::dvec3(u) - (map.settings.filter == Filter::Paper ? 1.0 : 0.5) * shift;
+  const glm::dvec3 v = glm::dvec3(u) - (map.settings.filter == Filter::Paper ? 1.0 : 0.5) * shift;
   const glm::ivec3 c(glm::floor(v));
   double sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -54,10 +53,22 @@ std::vector<glm::vec3> pointsAround(const StrandSet& hair) {
   return points;
 }
 
-TEST(Filter, WeightsWhatLeavesTheEightCellsAroundAPoint) {
-  const StrandSet hair = test::headOfHair(150, 24);
+void expectWeightsOfEightCells(const StrandSet& hair, const DensityMapSettings& settings,
+                               const LightSpace& light) {
   const auto points = pointsAround(hair);
   std::vector<float> t(points.size());
+  DensityMap map;
+  test::shadow(hair, settings, light, map, {1e-3f, 0.6f, 1});
+  ASSERT_FALSE(map.aliased());
+  sampleTransmittance(map, points, t);
+  for (std::size_t p = 0; p < points.size(); ++p)
+    ASSERT_NEAR(t[p], filtered(map, points[p]), 4e-6)
+        << settings.cells << " cells, filter " << static_cast<int>(settings.filter) << ", point "
+        << p;
+}
+
+TEST(Filter, WeightsWhatLeavesTheEightCellsAroundAPoint) {
+  const StrandSet hair = test::headOfHair(150, 24);
   // 100 and 70 cells end in the middle of a brick.
   for (const auto& [cells, size] : {std::pair{128, 7.5e-3f}, {100, 8e-3f}, {70, 10e-3f}})
     for (const Filter filter : {Filter::None, Filter::Paper, Filter::Centred})
@@ -65,16 +76,27 @@ TEST(Filter, WeightsWhatLeavesTheEightCellsAroundAPoint) {
         DensityMapSettings settings;
         settings.cells = cells, settings.cellSize = size, settings.filter = filter;
         LightSpace light = makeLightSpace(test::kSlanted);
-        // Moves the seam through the hair.
-        light.origin = origin;
-        DensityMap map;
-        test::shadow(hair, settings, light, map, {1e-3f, 0.6f, 1});
-        ASSERT_FALSE(map.aliased());
-        sampleTransmittance(map, points, t);
-        for (std::size_t p = 0; p < points.size(); ++p)
-          ASSERT_NEAR(t[p], filtered(map, points[p]), 4e-6)
-              << cells << " cells, filter " << static_cast<int>(filter) << ", point " << p;
+        light.origin = origin;  // moves the seam through the hair
+        expectWeightsOfEightCells(hair, settings, light);
       }
+}
+
+TEST(Filter, DoesSoInHairThatFillsItsMapWhereverTheSeamIs) {
+  // A block of 19 cells in a map of 20: the walk ends in the brick in which it began.
+  StrandSet block;
+  for (std::uint32_t s = 0; s < 400; ++s) {
+    const glm::vec3 a(uniform(s, 1), uniform(s, 2), uniform(s, 3));
+    const glm::vec3 b(uniform(s, 4), uniform(s, 5), uniform(s, 6));
+    block.append(std::vector<glm::vec3>{0.18f * a, 0.18f * glm::mix(a, b, 0.2f)});
+  }
+  DensityMapSettings settings;
+  settings.cells = 20, settings.cellSize = 0.01f;
+  for (const Filter filter : {Filter::None, Filter::Paper, Filter::Centred})
+    for (int seam = 0; seam < 20; ++seam) {
+      settings.filter = filter;
+      const double at = 0.01 * seam;
+      expectWeightsOfEightCells(block, settings, test::alongX(glm::dvec3(at, -at, 0.5 * at)));
+    }
 }
 
 TEST(Filter, HasTheSameBitsOnEveryInstructionSetAndInAnyParts) {
