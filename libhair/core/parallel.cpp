@@ -20,18 +20,16 @@ namespace hair {
 
 namespace {
 
-// Zero outside any ThreadLimit: as many as the machine has.
-int limitedThreads = 0;
-
 int machineThreads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-}  // namespace
-
-int threadCount() {
-  return limitedThreads > 0 ? limitedThreads : machineThreads();
+int checkedThreads(int threads) {
+  require(threads >= 0 && threads <= 1024, "--threads: ", threads, " is not in 0 to 1024");
+  return threads > 0 ? threads : machineThreads();
 }
+
+}  // namespace
 
 #ifdef HAIR_THREADS_TBB
 
@@ -40,36 +38,38 @@ struct ThreadLimit::State {
   tbb::global_control control;
   tbb::task_arena arena;
   tbb::task_arena* outer;
-  int outerThreads;
 };
 
 namespace {
-tbb::task_arena* innermost = nullptr;
-}
+// Of the thread that made it: what another thread computes at the same time is not limited.
+thread_local tbb::task_arena* innermost = nullptr;
+}  // namespace
 
 ThreadLimit::ThreadLimit(int threads) : state_(nullptr) {
-  require(threads >= 0 && threads <= 1024, "--threads: ", threads, " is not in 0 to 1024");
-  const int n = threads > 0 ? threads : machineThreads();
+  const int n = checkedThreads(threads);
   state_ = new State{tbb::global_control(tbb::global_control::max_allowed_parallelism,
                                          static_cast<std::size_t>(n)),
-                     tbb::task_arena(n), innermost, limitedThreads};
+                     tbb::task_arena(n), innermost};
   innermost = &state_->arena;
-  limitedThreads = n;
 }
 
 ThreadLimit::~ThreadLimit() {
   innermost = state_->outer;
-  limitedThreads = state_->outerThreads;
   delete state_;
+}
+
+int threadCount() {
+  return innermost ? innermost->max_concurrency() : tbb::this_task_arena::max_concurrency();
 }
 
 void detail::parallelFor(std::size_t count, std::size_t grain, RangeBody body, void* context) {
   if (count == 0) return;
   grain = std::max<std::size_t>(grain, 1);
-  if (threadCount() == 1 || count <= grain) return body(context, 0, count);
+  const auto threads = static_cast<std::size_t>(threadCount());
+  if (threads == 1 || count <= grain) return body(context, 0, count);
   const auto run = [&] {
     // A few chunks a thread: enough to even out, few enough that a chunk is worth its task.
-    const std::size_t chunks = std::min(count / grain, static_cast<std::size_t>(threadCount()) * 4);
+    const std::size_t chunks = std::min(count / grain, threads * 4);
     tbb::parallel_for(
         std::size_t{0}, chunks,
         [&](std::size_t c) { body(context, count * c / chunks, count * (c + 1) / chunks); },
@@ -87,10 +87,18 @@ struct ThreadLimit::State {
   int outerThreads;
 };
 
+namespace {
+thread_local int limitedThreads = 0;  // 0 outside any ThreadLimit
+}
+
+int threadCount() {
+  return limitedThreads > 0 ? limitedThreads : machineThreads();
+}
+
 ThreadLimit::ThreadLimit(int threads) : state_(nullptr) {
-  require(threads >= 0 && threads <= 1024, "--threads: ", threads, " is not in 0 to 1024");
+  const int n = checkedThreads(threads);
   state_ = new State{limitedThreads};
-  limitedThreads = threads > 0 ? threads : machineThreads();
+  limitedThreads = n;
 }
 
 ThreadLimit::~ThreadLimit() {

@@ -25,11 +25,13 @@ void parallelFor(std::size_t count, std::size_t grain, Body&& body) {
       const_cast<void*>(static_cast<const void*>(&body)));
 }
 
-/// Threads that parallelFor may use now, the calling one included.
+/// Threads that parallelFor may use now, the calling one included: as many as the machine has, or
+/// as the oneTBB arena that the caller is in (tbb::task_arena::execute around any call of the
+/// library makes that call run in the caller's own arena).
 int threadCount();
 
-/// While it lives, parallelFor uses exactly `threads` threads (0: as many as the machine has),
-/// even where the machine has fewer processors.
+/// While it lives, parallelFor, called from the thread that made it, uses exactly `threads` threads
+/// (0: as many as the machine has), even where the machine has fewer processors.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);

@@ -1,8 +1,13 @@
 #include <atomic>
 #include <sstream>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#ifdef HAIR_THREADS_TBB
+#include <tbb/task_arena.h>
+#endif
 
 #include <libhair/core/error.h>
 #include <libhair/core/lanes.h>
@@ -48,6 +53,30 @@ TEST(Strands, TheDoorNamesStrandAndPoint) {
   }
   EXPECT_THROW(validate({strands.points, {}}, "no offsets"), Error);
 }
+
+TEST(Parallel, ALimitIsOfTheThreadThatSetIt) {
+  const ThreadLimit limit(3);
+  EXPECT_EQ(threadCount(), 3);
+  int elsewhere = 0;
+  std::thread([&] {
+    const ThreadLimit other(5);
+    elsewhere = threadCount();
+  }).join();
+  EXPECT_EQ(elsewhere, 5);
+  EXPECT_EQ(threadCount(), 3);
+}
+
+#ifdef HAIR_THREADS_TBB
+TEST(Parallel, WorksInTheCallersOwnArena) {
+  tbb::task_arena arena(1);
+  arena.execute([] {
+    EXPECT_EQ(threadCount(), 1);
+    const auto caller = std::this_thread::get_id();
+    parallelFor(1000, 1,
+                [&](std::size_t, std::size_t) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+  });
+}
+#endif
 
 TEST(Transform, TransportTurnsFromIntoToAndKeepsAngles) {
   for (std::uint32_t i = 0; i < 100; ++i) {
