@@ -54,6 +54,33 @@ HWY_INLINE void copyNeighbour(int layers, const float* next, const float* light,
                : light[z * brick::kY];
 }
 
+/// Codes of a row of bricks, after those of the run before; `last`: slice of that run, in a brick.
+/// Returns where bricks are: bit y.
+HWY_INLINE std::uint64_t encodeRow(const std::uint32_t* slots, const std::uint32_t* before,
+                                   std::uint32_t last, std::size_t perRow, std::uint32_t* codes) {
+  static_assert(1024 / brick::kY <= 64);
+  std::uint64_t there = 0;
+  std::size_t y = 0;
+  for (; y + kLanes <= perRow; y += kLanes) {
+    const Ints slot = loadInts(reinterpret_cast<const std::int32_t*>(slots + y));
+    const Ints was = loadInts(reinterpret_cast<const std::int32_t*>(before + y));
+    const Ints fixed(static_cast<std::int32_t>(Transmittances::kFixed));
+    const Ints held = select(was < Ints(0), was, (was + Ints(static_cast<int>(last))) | fixed);
+    const Ints own = slot * Ints(Transmittances::kLayers) + Ints(1);
+    const Mask none = slot == Ints(0);
+    store(select(none, held, own), reinterpret_cast<std::int32_t*>(codes + y));
+    there |= std::uint64_t{bits(none) ^ 0xffffu} << y;
+  }
+  for (; y < perRow; ++y) {
+    const std::uint32_t was = before[y];
+    codes[y] = slots[y] != 0                  ? Transmittances::code(slots[y])
+               : was & Transmittances::kFixed ? was
+                                              : (was + last) | Transmittances::kFixed;
+    there |= std::uint64_t{slots[y] != 0} << y;
+  }
+  return there;
+}
+
 /// The columns of one row of bricks across the light.
 void walk(std::size_t z, DensityMap& map) {
   const BrickStore& bricks = map.bricks;
@@ -63,36 +90,29 @@ void walk(std::size_t z, DensityMap& map) {
   std::fill_n(light, perRow * brick::kLayer, 1.0f);
   std::uint32_t* before = map.lightIn.data() + z * perRow;
   std::fill_n(before, perRow, Transmittances::kFixed);
-  std::uint32_t last = 0;  // slice of the run before
+  std::uint32_t last = 0;
   for (int s = 0; s < slices;) {
     const int first = map.wrap(map.frame.base.x + map.lower.x + s);
     const int slice = first % brick::kX;
     const Run run{slice, std::min({brick::kX - slice, map.settings.cells - first, slices - s})};
     const std::uint32_t* slots = bricks.slots(bricks.place({first, 0, 0}) + z * perRow);
-    const auto layerBefore = [&](std::uint32_t slot) HWY_ATTR {
-      return map.transmittances.layer(Transmittances::code(slot) - 1 +
-                                      static_cast<std::uint32_t>(slice));
+    std::uint32_t* codes = before + bricks.across();
+    const std::uint64_t there = encodeRow(slots, before, last, perRow, codes);
+    const auto layerBefore = [&](std::size_t y) HWY_ATTR {
+      return map.transmittances.layer(codes[y] - 1 + static_cast<std::uint32_t>(slice));
     };
-    std::uint32_t* in = before + bricks.across();
-    bool any = false;
-    for (std::size_t y = 0; y < perRow; ++y) {
-      if (slots[y] == 0) {
-        in[y] = before[y] & Transmittances::kFixed ? before[y]
-                                                   : (before[y] + last) | Transmittances::kFixed;
-        continue;
-      }
-      any = true;
-      in[y] = Transmittances::code(slots[y]);
+    for (std::uint64_t rest = there; rest != 0; rest &= rest - 1) {
+      const auto y = static_cast<std::size_t>(__builtin_ctzll(rest));
       attenuate(bricks.cells(slots[y]), run, map.quantum, light + y * brick::kLayer,
-                layerBefore(slots[y]));
+                layerBefore(y));
     }
-    for (std::size_t y = 0; any && y < perRow; ++y) {
-      if (slots[y] == 0) continue;
+    for (std::uint64_t rest = there; rest != 0; rest &= rest - 1) {
+      const auto y = static_cast<std::size_t>(__builtin_ctzll(rest));
       const std::size_t beside = y + 1 < perRow ? y + 1 : 0;
-      copyNeighbour(run.count + 1, slots[beside] ? layerBefore(slots[beside]) : nullptr,
-                    light + beside * brick::kLayer, layerBefore(slots[y]));
+      copyNeighbour(run.count + 1, there >> beside & 1 ? layerBefore(beside) : nullptr,
+                    light + beside * brick::kLayer, layerBefore(y));
     }
-    before = in;
+    before = codes;
     last = static_cast<std::uint32_t>(run.slice + run.count - 1);
     s += run.count;
   }
