@@ -28,8 +28,7 @@ std::vector<std::string_view> instructionSets() {
   return names;
 }
 
-InstructionSetLimit::InstructionSetLimit(std::string_view name)
-    : before_(hwy::SupportedTargets()) {
+InstructionSetLimit::InstructionSetLimit(std::string_view name) : before_(hwy::SupportedTargets()) {
   std::int64_t allowed = 0, all = 0;
   forTargets([&](std::int64_t target) {
     all |= target;

@@ -59,8 +59,7 @@ struct Ints {
 struct Floats {
   hn::Vec<FloatTag> part[kParts];
   Floats() = default;
-  HWY_INLINE Floats(float v) { HAIR_PARTS(part[p] = hn::Set(FloatTag(), v)) }
-  /// From storage.
+  HWY_INLINE Floats(float v){HAIR_PARTS(part[p] = hn::Set(FloatTag(), v))}  /// From storage.
   HWY_INLINE Floats(const Lanes& v) {
     const float* from = reinterpret_cast<const float*>(&v);
     HAIR_PARTS(part[p] = hn::Load(FloatTag(), from + p * kPerPart))
@@ -78,86 +77,77 @@ HWY_INLINE Ints loadInts(const std::int32_t* from) {
   HAIR_PARTS(r.part[p] = hn::LoadU(IntTag(), from + p * kPerPart))
   return r;
 }
-HWY_INLINE void store(Floats v, float* to) {
-  HAIR_PARTS(hn::StoreU(v.part[p], FloatTag(), to + p * kPerPart))
-}
-HWY_INLINE void store(Ints v, std::int32_t* to) {
-  HAIR_PARTS(hn::StoreU(v.part[p], IntTag(), to + p * kPerPart))
-}
-HWY_INLINE void store(Floats v, Lanes& to) {
-  HAIR_PARTS(hn::Store(v.part[p], FloatTag(), reinterpret_cast<float*>(&to) + p * kPerPart))
-}
-
-#define HAIR_BINARY(Type, name, op)                          \
-  HWY_INLINE Type name(Type a, Type b) {                     \
-    Type r;                                                  \
-    HAIR_PARTS(r.part[p] = hn::op(a.part[p], b.part[p]))     \
-    return r;                                                \
+HWY_INLINE void store(Floats v, float* to){
+    HAIR_PARTS(hn::StoreU(v.part[p], FloatTag(), to + p * kPerPart))} HWY_INLINE
+    void store(Ints v, std::int32_t* to){
+        HAIR_PARTS(hn::StoreU(v.part[p], IntTag(), to + p * kPerPart))} HWY_INLINE
+    void store(Floats v, Lanes& to){
+        HAIR_PARTS(hn::Store(v.part[p], FloatTag(), reinterpret_cast<float*>(&to) + p * kPerPart))}
+#define HAIR_BINARY(Type, name, op)                      \
+  HWY_INLINE Type name(Type a, Type b) {                 \
+    Type r;                                              \
+    HAIR_PARTS(r.part[p] = hn::op(a.part[p], b.part[p])) \
+    return r;                                            \
   }
-#define HAIR_UNARY(Type, name, op)             \
-  HWY_INLINE Type name(Type a) {               \
-    Type r;                                    \
-    HAIR_PARTS(r.part[p] = hn::op(a.part[p]))  \
-    return r;                                  \
+#define HAIR_UNARY(Type, name, op)            \
+  HWY_INLINE Type name(Type a) {              \
+    Type r;                                   \
+    HAIR_PARTS(r.part[p] = hn::op(a.part[p])) \
+    return r;                                 \
   }
-HAIR_BINARY(Floats, operator+, Add)
-HAIR_BINARY(Floats, operator-, Sub)
-HAIR_BINARY(Floats, operator*, Mul)
-HAIR_BINARY(Floats, operator/, Div)
-HAIR_UNARY(Floats, operator-, Neg)
-HAIR_UNARY(Floats, sqrt, Sqrt)
-HAIR_UNARY(Floats, abs, Abs)
-HAIR_BINARY(Ints, operator+, Add)
-HAIR_BINARY(Ints, operator-, Sub)
-HAIR_BINARY(Ints, operator*, Mul)
-HAIR_BINARY(Ints, operator&, And)
-HAIR_BINARY(Ints, operator|, Or)
-HAIR_BINARY(Ints, min, Min)
-HAIR_BINARY(Ints, max, Max)
-HAIR_BINARY(Mask, operator&, And)
-HAIR_BINARY(Mask, operator|, Or)
-HAIR_UNARY(Mask, operator!, Not)
+HAIR_BINARY(Floats, operator+, Add) HAIR_BINARY(Floats, operator-, Sub)
+    HAIR_BINARY(Floats, operator*, Mul) HAIR_BINARY(Floats, operator/, Div)
+        HAIR_UNARY(Floats, operator-, Neg) HAIR_UNARY(Floats, sqrt, Sqrt)
+            HAIR_UNARY(Floats, abs, Abs) HAIR_BINARY(Ints, operator+, Add)
+                HAIR_BINARY(Ints, operator-, Sub) HAIR_BINARY(Ints, operator*, Mul)
+                    HAIR_BINARY(Ints, operator&, And) HAIR_BINARY(Ints, operator|, Or)
+                        HAIR_BINARY(Ints, min, Min) HAIR_BINARY(Ints, max, Max)
+                            HAIR_BINARY(Mask, operator&, And) HAIR_BINARY(Mask, operator|, Or)
+                                HAIR_UNARY(Mask, operator!, Not)
 #undef HAIR_BINARY
 #undef HAIR_UNARY
 
-#define HAIR_COMPARE(name, op)                               \
-  HWY_INLINE Mask name(Floats a, Floats b) {                 \
-    Mask r;                                                  \
-    HAIR_PARTS(r.part[p] = hn::op(a.part[p], b.part[p]))     \
-    return r;                                                \
+#define HAIR_COMPARE(name, op)                           \
+  HWY_INLINE Mask name(Floats a, Floats b) {             \
+    Mask r;                                              \
+    HAIR_PARTS(r.part[p] = hn::op(a.part[p], b.part[p])) \
+    return r;                                            \
   }
-#define HAIR_COMPARE_INTS(name, op)                                                    \
-  HWY_INLINE Mask name(Ints a, Ints b) {                                               \
-    Mask r;                                                                            \
-    HAIR_PARTS(r.part[p] = hn::RebindMask(FloatTag(), hn::op(a.part[p], b.part[p])))   \
-    return r;                                                                          \
+#define HAIR_COMPARE_INTS(name, op)                                                  \
+  HWY_INLINE Mask name(Ints a, Ints b) {                                             \
+    Mask r;                                                                          \
+    HAIR_PARTS(r.part[p] = hn::RebindMask(FloatTag(), hn::op(a.part[p], b.part[p]))) \
+    return r;                                                                        \
   }
-HAIR_COMPARE(operator<, Lt)
-HAIR_COMPARE(operator<=, Le)
-HAIR_COMPARE(operator>, Gt)
-HAIR_COMPARE(operator>=, Ge)
-HAIR_COMPARE(operator==, Eq)
-HAIR_COMPARE_INTS(operator<, Lt)
-HAIR_COMPARE_INTS(operator>, Gt)
-HAIR_COMPARE_INTS(operator==, Eq)
+                                    HAIR_COMPARE(operator<, Lt) HAIR_COMPARE(operator<=, Le)
+                                        HAIR_COMPARE(operator>, Gt) HAIR_COMPARE(operator>=, Ge)
+                                            HAIR_COMPARE(operator==, Eq)
+                                                HAIR_COMPARE_INTS(operator<, Lt)
+                                                    HAIR_COMPARE_INTS(operator>, Gt)
+                                                        HAIR_COMPARE_INTS(operator==, Eq)
 #undef HAIR_COMPARE
 #undef HAIR_COMPARE_INTS
 
-HWY_INLINE Floats select(Mask m, Floats yes, Floats no) {
+                                                            HWY_INLINE Floats
+    select(Mask m, Floats yes, Floats no) {
   Floats r;
   HAIR_PARTS(r.part[p] = hn::IfThenElse(m.part[p], yes.part[p], no.part[p]))
   return r;
 }
 HWY_INLINE Ints select(Mask m, Ints yes, Ints no) {
   Ints r;
-  HAIR_PARTS(r.part[p] = hn::IfThenElse(hn::RebindMask(IntTag(), m.part[p]), yes.part[p],
-                                        no.part[p]))
+  HAIR_PARTS(r.part[p] =
+                 hn::IfThenElse(hn::RebindMask(IntTag(), m.part[p]), yes.part[p], no.part[p]))
   return r;
 }
 /// As std::min and std::max of scalars: b where they cannot be compared, and no signed zeros are
 /// told apart.
-HWY_INLINE Floats min(Floats a, Floats b) { return select(a < b, a, b); }
-HWY_INLINE Floats max(Floats a, Floats b) { return select(a > b, a, b); }
+HWY_INLINE Floats min(Floats a, Floats b) {
+  return select(a < b, a, b);
+}
+HWY_INLINE Floats max(Floats a, Floats b) {
+  return select(a > b, a, b);
+}
 
 HWY_INLINE bool any(Mask m) {
   bool r = false;
@@ -182,7 +172,9 @@ HWY_INLINE Mask firstLanes(std::size_t n) {
   HAIR_PARTS(r.part[p] = hn::FirstN(FloatTag(), n > p * kPerPart ? n - p * kPerPart : 0))
   return r;
 }
-HWY_INLINE Mask none() { return firstLanes(0); }
+HWY_INLINE Mask none() {
+  return firstLanes(0);
+}
 /// 0, 1, 2 ... 15.
 HWY_INLINE Ints laneNumbers() {
   Ints r;
@@ -247,8 +239,8 @@ HWY_INLINE Ints gather(const std::uint32_t* from, Ints index) {
 /// overwritten.
 HWY_INLINE std::size_t compress(Ints v, Mask m, std::int32_t* to) {
   std::size_t n = 0;
-  HAIR_PARTS(n += hn::CompressStore(v.part[p], hn::RebindMask(IntTag(), m.part[p]), IntTag(),
-                                    to + n))
+  HAIR_PARTS(n +=
+             hn::CompressStore(v.part[p], hn::RebindMask(IntTag(), m.part[p]), IntTag(), to + n))
   return n;
 }
 
@@ -278,7 +270,9 @@ struct Vec3 {
   HWY_INLINE explicit Vec3(glm::vec3 v) : x(v.x), y(v.y), z(v.z) {}
 };
 
-HWY_INLINE void store(Vec3 v, LaneVec3& to) { store(v.x, to.x), store(v.y, to.y), store(v.z, to.z); }
+HWY_INLINE void store(Vec3 v, LaneVec3& to) {
+  store(v.x, to.x), store(v.y, to.y), store(v.z, to.z);
+}
 /// Sixteen xyz one after another.
 HWY_INLINE Vec3 loadPoints(const glm::vec3* from) {
   Vec3 r;
@@ -293,14 +287,24 @@ HWY_INLINE void storePoints(Vec3 v, glm::vec3* to) {
                                    xyz + 3 * p * kPerPart))
 }
 
-HWY_INLINE Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-HWY_INLINE Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-HWY_INLINE Vec3 operator*(Floats s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
-HWY_INLINE Floats dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+HWY_INLINE Vec3 operator+(Vec3 a, Vec3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+HWY_INLINE Vec3 operator-(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+HWY_INLINE Vec3 operator*(Floats s, Vec3 a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+HWY_INLINE Floats dot(Vec3 a, Vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 HWY_INLINE Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-HWY_INLINE Floats length(Vec3 a) { return sqrt(dot(a, a)); }
+HWY_INLINE Floats length(Vec3 a) {
+  return sqrt(dot(a, a));
+}
 HWY_INLINE Vec3 select(Mask m, Vec3 yes, Vec3 no) {
   return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
 }

@@ -70,8 +70,8 @@ TEST(Simd, RoundsAsScalarsDo) {
     const float a = in.a[l], b = in.b[l];
     EXPECT_EQ(out[l], std::sqrt(std::abs(a)) / b + a * b);
     EXPECT_EQ(out[16 + l], a < b ? std::min(a, b) : -std::max(a, b));
-    EXPECT_EQ(out[32 + l], std::floor(a) + 3.0f * static_cast<float>(
-                                                      static_cast<int>(std::floor(b)) & 5));
+    EXPECT_EQ(out[32 + l],
+              std::floor(a) + 3.0f * static_cast<float>(static_cast<int>(std::floor(b)) & 5));
     EXPECT_EQ(out[48 + l], expMinusApproximate(std::abs(a)));
     EXPECT_EQ(out[64 + l], in.b[l & 7]);
   }
@@ -85,8 +85,7 @@ TEST(Simd, RoundsAsScalarsDo) {
 
 TEST(Simd, PointsComeInAndGoOutInterleaved) {
   std::array<glm::vec3, 16> in, out;
-  for (std::uint32_t l = 0; l < 16; ++l)
-    in[l] = {uniform(l, 0), uniform(l, 1), uniform(l, 2)};
+  for (std::uint32_t l = 0; l < 16; ++l) in[l] = {uniform(l, 0), uniform(l, 1), uniform(l, 2)};
   HWY_DYNAMIC_DISPATCH(turnPoints)(in.data(), out.data());
   for (std::size_t l = 0; l < 16; ++l)
     EXPECT_EQ(out[l], glm::cross(in[l], glm::vec3(0, 1, 2)) + glm::dot(in[l], in[l]) * in[l]);
