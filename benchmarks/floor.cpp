@@ -75,8 +75,4 @@ double copyBandwidth(double workingSet) {
   return 2 * static_cast<double>(half * turns) / seconds;
 }
 
-double floorSeconds(double bytes) {
-  return bytes > 0 ? bytes / copyBandwidth(bytes) : 0;
-}
-
 }  // namespace hair::bench

@@ -24,11 +24,8 @@ double leastBytes(Stage stage, const Counts& counts);
 double leastBytes(Stage from, Stage to, const Counts& counts);
 
 /// Bytes a second, read and written both counted, at which the threads there are copy memory
-/// between two arrays that take up `workingSet` bytes together. Measured, median.
+/// between two arrays that take up `workingSet` bytes together. Measured, median. Bytes over this
+/// are the floor of a stage that moves as many.
 double copyBandwidth(double workingSet);
-
-/// Seconds that moving so many bytes takes at the bandwidth of a working set as large: no stage
-/// that reads and writes them can be faster.
-double floorSeconds(double bytes);
 
 }  // namespace hair::bench

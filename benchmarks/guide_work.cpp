@@ -16,8 +16,10 @@ namespace {
 
 class OwnGuides final : public GuideSolver {
  public:
-  explicit OwnGuides(const GuideWork& work)
-      : guides_(sphereGroom(work), settings_, sphereAt(0)), before_(colliderAt(sphereAt(0))) {}
+  OwnGuides(const GuideWork& work, const GuideSettings& settings)
+      : settings_(settings),
+        guides_(sphereGroom(work), weightless(settings), sphereAt(0)),
+        before_(colliderAt(sphereAt(0))) {}
 
   void step(const RigidTransform& sphere) override {
     const Capsule now = colliderAt(sphere);
@@ -28,6 +30,11 @@ class OwnGuides final : public GuideSolver {
   void copyPoints(std::span<glm::vec3> out) const override { guides_.copyPoints(out); }
 
  private:
+  // Straight of their own: a groom that holds itself up against gravity would stand off the sphere.
+  static GuideSettings weightless(GuideSettings settings) {
+    settings.gravity = glm::vec3(0);
+    return settings;
+  }
   static Capsule colliderAt(const RigidTransform& sphere) {
     return {sphere.translation, sphere.translation, kSphereRadius};
   }
@@ -61,8 +68,8 @@ Groom sphereGroom(const GuideWork& work) {
   return groom;
 }
 
-std::unique_ptr<GuideSolver> makeOwnGuides(const GuideWork& work) {
-  return std::make_unique<OwnGuides>(work);
+std::unique_ptr<GuideSolver> makeOwnGuides(const GuideWork& work, const GuideSettings& settings) {
+  return std::make_unique<OwnGuides>(work, settings);
 }
 
 GuideRun::GuideRun(std::unique_ptr<GuideSolver> solver, const GuideWork& work)

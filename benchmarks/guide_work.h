@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/transform.h>
+#include <libhair/guides/settings.h>
 #include <libhair/model/groom.h>
 
 namespace hair::bench {
@@ -43,8 +44,9 @@ class GuideSolver {
   virtual void copyPoints(std::span<glm::vec3> out) const = 0;
 };
 
-/// This library: default settings, but the sphere in place of head and body.
-std::unique_ptr<GuideSolver> makeOwnGuides(const GuideWork& work);
+/// This library, the sphere in place of head and body.
+std::unique_ptr<GuideSolver> makeOwnGuides(const GuideWork& work,
+                                           const GuideSettings& settings = {});
 
 /// A solver at its work.
 class GuideRun {

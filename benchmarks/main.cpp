@@ -1,19 +1,12 @@
 // hair-bench: what the library's stages take, beside what moving their data must take, beside the
 // literal transcription of the paper, and beside other people's software. One run, one machine.
-//
-//   hair-bench [--benchmark_filter=REGEX ...]    benchmarks; --benchmark_format=csv or json,
-//                                                --benchmark_out=FILE, --help: Google Benchmark's
-//   hair-bench --targets [--only=WORD] [--quick] CSV of what is promised, and what is measured;
-//                                                rows with WORD in their name; little work, when
-//                                                only the program is to be tried, not the machine
-//   hair-bench --plots=FOLDER [...]              benchmarks, then SVG pictures of how times grow
-//   hair-bench --demo                            60 frames of the default demo without drawing
 
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -30,8 +23,24 @@
 namespace hair::bench {
 namespace {
 
+constexpr std::string_view kHelp =
+    R"(hair-bench [--benchmark_filter=REGEX ...]
+    Benchmarks group/what/how, with options of Google Benchmark (below):
+    --benchmark_format=csv or json, --benchmark_out=FILE ...
+hair-bench --plots=FOLDER [--benchmark_filter=REGEX ...]
+    The same, then a picture of every group, GROUP.svg.
+hair-bench --targets [--only=WORD] [--quick]
+    CSV of what is promised and what is measured, in a minute or two.
+    --only: groups of rows with WORD in their name: memory, shadow, error, cells,
+    frame, guides, floor, threads, many. --quick: hardly any work, to try the
+    program and not the machine.
+hair-bench --demo
+    60 frames of the default demo, without drawing.
+
+)";
+
 struct Options {
-  bool targets = false, demo = false;
+  bool targets = false, demo = false, help = false;
   TargetOptions target;
   std::optional<std::filesystem::path> plots;
 };
@@ -48,6 +57,7 @@ Options takeOptions(std::vector<char*>& arguments) {
     if (argument == "--targets") return options.targets = true;
     if (argument == "--quick") return options.target.quick = true;
     if (argument == "--demo") return options.demo = true;
+    if (argument == "--help") options.help = true;  // Google Benchmark has its own to say
     if (const auto only = value("--only=")) return options.target.only = *only, true;
     if (const auto folder = value("--plots=")) return options.plots = *folder, true;
     return false;
@@ -83,6 +93,7 @@ int runBenchmarks(std::vector<char*>& arguments, const Options& options) {
 int program(int argc, char** argv) {
   std::vector<char*> arguments(argv, argv + argc);
   const Options options = takeOptions(arguments);
+  if (options.help) std::cout << kHelp << std::flush;
   if (options.demo) {
     const Subject subject{SubjectOptions{}};
     Performance performance(subject, {});

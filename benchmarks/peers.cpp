@@ -2,6 +2,7 @@
 
 #include <benchmarks/shadow_pass.h>
 #include <benchmarks/suite.h>
+#include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 
 namespace hair::bench {
@@ -13,21 +14,20 @@ void runGuides(benchmark::State& state, std::unique_ptr<GuideSolver> solver, con
                int threads) {
   const ThreadLimit limit(threads);
   GuideRun run(std::move(solver), work);
-  for (auto _ : state) state.SetIterationTime(run.step());
+  const double seconds = meanSeconds(state, [&] { return run.step(); });
   state.SetLabel(run.figures());
   Counts counts;
   counts.guidePoints = static_cast<double>(work.pointCount());
-  setFloor(state, leastBytes(Stage::Guides, counts));
+  setFloor(state, leastBytes(Stage::Guides, counts), seconds);
 }
 
 template <class Make>
 void addGuides(const std::string& who, const GuideWork& work, int threads, Make make) {
   if (!make(GuideWork{.strands = 1})) return;
-  addFrames(
-      "peers/guides_" + std::to_string(work.strands) + 'x' + std::to_string(work.links) + '/' + who,
-      work.frames, [make, work, threads](benchmark::State& state) {
-        runGuides(state, make(work), work, threads);
-      });
+  add(text("peers/guides_", work.strands, 'x', work.links, '/', who), [make, work,
+                                                                       threads](auto& state) {
+    runGuides(state, make(work), work, threads);
+  })->Iterations(work.frames);
 }
 
 using MakeShadow = std::function<ShadowPeer(const Scene&, const DensityMapSettings&)>;
@@ -38,9 +38,10 @@ void runShadow(benchmark::State& state, const Scene& scene, const MakeShadow& ma
   own.run();
   const ShadowPeer peer = make(scene, settings);
   std::vector<float> transmittance(scene.strands.pointCount());
-  for (auto _ : state) peer(transmittance);
+  const double seconds =
+      meanSeconds(state, [&] { return secondsOf([&] { peer(transmittance); }); });
   state.SetLabel("state " + scene.hash);
-  setFloor(state, own.leastBytes());
+  setFloor(state, own.leastBytes(), seconds);
 }
 
 void addShadow(Scenes& scenes, const std::string& who, const MakeShadow& make) {
@@ -57,8 +58,9 @@ LightSpace lightOf(const Scene& scene) {
 void registerPeers(Scenes& scenes) {
   for (const std::uint32_t strands : {402u, 10'000u}) {
     const GuideWork work{.strands = strands};
-    addGuides("ours", work, 0, makeOwnGuides);
-    addGuides("ours_1_thread", work, 1, makeOwnGuides);
+    const auto make = [](const GuideWork& some) { return makeOwnGuides(some); };
+    addGuides("ours", work, 0, make);
+    addGuides("ours_1_thread", work, 1, make);
   }
   addGuides("bullet_ropes", {.strands = 10'000, .warmUp = 10, .frames = 10}, 1,
             [](const GuideWork& work) { return makeBulletRopes(work, 16); });

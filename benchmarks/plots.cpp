@@ -14,6 +14,8 @@ namespace {
 
 constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00"};
 
+constexpr const char* kPaper = "fill=\"#fff\"";  // also where the page around it is dark
+
 std::optional<double> number(const std::string& word) {
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -79,6 +81,7 @@ std::string linePlot(const std::vector<Measured>& rows) {
   }
   constexpr double kLeft = 66, kRight = 560, kTop = 14, kBottom = 350;
   Svg svg(720, 400, text("Time over ", axisName(rows.front().group)));
+  svg.rectangle(0, 0, 720, 400, kPaper);
   const Axis x = logAxis(numbers.lowest, numbers.highest, kLeft, kRight);
   const Axis y = logAxis(times.lowest, times.highest, kBottom, kTop);
   drawAxes(svg, x, y, axisName(rows.front().group));
@@ -116,6 +119,7 @@ std::string barPlot(const std::vector<Measured>& rows) {
   Range times;
   for (const Measured& row : rows) times.add(row.milliseconds);
   Svg svg(720, bottom + 46, text("Times of ", rows.front().group));
+  svg.rectangle(0, 0, 720, bottom + 46, kPaper);
   const Axis x = logAxis(times.lowest / 2, times.highest, kLeft, kRight);
   for (const Axis::Tick& tick : x.ticks) {
     if (tick.label.empty()) continue;

@@ -13,12 +13,12 @@ namespace {
 template <class Limit>
 void addPair(Scenes& scenes, const std::string& group, const std::string& x,
              const SceneOptions& options, int frames, Limit limit) {
-  addFrames(group + "/frame/" + x, frames, [&scenes, options, limit](benchmark::State& state) {
+  add(group + "/frame/" + x, [&scenes, options, limit](auto& state) {
     Scene& scene = scenes.of(options);
     [[maybe_unused]] const auto held = limit();
     runFrames(state, scene);
-  });
-  add(group + "/shadow/" + x, [&scenes, options, limit](benchmark::State& state) {
+  })->Iterations(frames);
+  add(group + "/shadow/" + x, [&scenes, options, limit](auto& state) {
     const Scene& scene = scenes.of(options);
     [[maybe_unused]] const auto held = limit();
     runShadows(state, scene, options.cells);
@@ -37,12 +37,12 @@ void registerScaling(Scenes& scenes) {
   for (const std::uint32_t strands :
        {1'000u, 3'350u, 10'000u, 33'500u, 100'000u, 335'000u, 1'000'000u})
     addPair(scenes, "strands", std::to_string(strands),
-            {.name = "strands", .strands = strands, .points = 8, .frames = 3},
+            {.name = "strands", .strands = strands, .points = 8, .settle = 0.1f, .frames = 3},
             strands < 50'000 ? 60 : 10, free);
 
   for (const std::uint32_t points : {4u, 8u, 16u, 31u, 61u, 121u, 241u})
     addPair(scenes, "points", std::to_string(points),
-            {.name = "points", .points = points, .frames = 10}, 60, free);
+            {.name = "points", .points = points, .settle = 0.1f, .frames = 10}, 60, free);
 
   for (int cells = 32; cells <= 1024; cells *= 2) {
     SceneOptions options = smoothScene();

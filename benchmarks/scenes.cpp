@@ -32,6 +32,7 @@ std::unique_ptr<Subject> makeSubject(const SceneOptions& options) {
 PerformanceOptions performanceOptions(const SceneOptions& options) {
   PerformanceOptions how;
   how.cells = options.cells;
+  how.settle = options.settle;
   return how;
 }
 

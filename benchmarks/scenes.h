@@ -16,6 +16,7 @@ struct SceneOptions {
   std::uint32_t points = 0;   ///< a drawn strand
   std::uint32_t wisps = 0;    ///< of three guides each
   int cells = 128;            ///< of the light's map, along each axis
+  float settle = 1;           ///< seconds in the first pose
   int frames = 30;            ///< danced before anything is measured
 
   bool operator==(const SceneOptions&) const = default;

@@ -3,7 +3,6 @@
 #include <optional>
 
 #include <benchmarks/shadow_pass.h>
-#include <benchmarks/timing.h>
 #include <libhair/core/parallel.h>
 
 namespace hair::bench {
@@ -19,12 +18,12 @@ double secondsOfStages(const FrameProfile& profile, Stage from, Stage to) {
 
 // Stages are timed inside of whole frames: in the caches are then what the stage before has left.
 void runStages(benchmark::State& state, Scene& scene, Stage from, Stage to) {
-  for (auto _ : state) {
+  const double seconds = meanSeconds(state, [&] {
     scene.performance.step();
-    state.SetIterationTime(secondsOfStages(scene.performance.profile, from, to));
-  }
+    return secondsOfStages(scene.performance.profile, from, to);
+  });
   state.SetLabel("state " + scene.hash);
-  setFloor(state, leastBytes(from, to, scene.counts()));
+  setFloor(state, leastBytes(from, to, scene.counts()), seconds);
 }
 
 struct Pass {
@@ -42,28 +41,27 @@ void runPass(benchmark::State& state, const Scene& scene, const Pass& how) {
   const ThreadLimit limit(how.threads);
   ShadowPass pass(
       scene, how.paperWith ? paperSettings(scene, *how.paperWith) : scene.performance.settings.map);
-  for (auto _ : state) pass.run();
+  const double seconds = meanSeconds(state, [&] { return secondsOf([&] { pass.run(); }); });
   state.SetLabel("state " + scene.hash);
-  setFloor(state, pass.leastBytes());
+  setFloor(state, pass.leastBytes(), seconds);
 }
 
 void runLiteral(benchmark::State& state, const Scene& scene) {
   const DensityMapSettings settings = paperSettings(scene, Filter::Paper);
   LiteralPass literal(scene, settings);
-  for (auto _ : state) literal.run();
+  const double seconds = meanSeconds(state, [&] { return secondsOf([&] { literal.run(); }); });
   ShadowPass fast(scene, settings);
   fast.run();
   state.SetLabel("state " + scene.hash);
   const ThreadLimit one(1);
-  setFloor(state, fast.leastBytes());
+  setFloor(state, fast.leastBytes(), seconds);
 }
 
 void registerScene(Scenes& scenes, const SceneOptions& options, int frames) {
   const auto addStages = [&](const std::string& name, Stage from, Stage to) {
-    addFrames("stage/" + options.name + '/' + name, frames,
-              [&scenes, options, from, to](benchmark::State& state) {
-                runStages(state, scenes.of(options), from, to);
-              });
+    add("stage/" + options.name + '/' + name, [&scenes, options, from, to](auto& state) {
+      runStages(state, scenes.of(options), from, to);
+    })->Iterations(frames);
   };
   for (const Stage stage : {Stage::Guides, Stage::Wisps, Stage::SelfCollision, Stage::Deposit,
                             Stage::Transmittance, Stage::Filter, Stage::Shade})
@@ -78,18 +76,18 @@ void registerScene(Scenes& scenes, const SceneOptions& options, int frames) {
 
 }  // namespace
 
-void setFloor(benchmark::State& state, double bytes) {
-  const double bandwidth = copyBandwidth(bytes), floor = bytes / bandwidth;
-  state.counters["floor_ms"] = 1e3 * floor;
-  state.counters["over_floor"] = benchmark::Counter(
-      floor, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+void setFloor(benchmark::State& state, double bytes, double seconds) {
+  const double bandwidth = copyBandwidth(bytes);
+  state.counters["floor_ms"] = 1e3 * bytes / bandwidth;
+  state.counters["over_floor"] = seconds * bandwidth / bytes;
   state.counters["copy_GBps"] = 1e-9 * bandwidth;
 }
 
 void runFrames(benchmark::State& state, Scene& scene) {
-  for (auto _ : state) state.SetIterationTime(secondsOf([&] { scene.performance.step(); }));
+  const double seconds =
+      meanSeconds(state, [&] { return secondsOf([&] { scene.performance.step(); }); });
   state.SetLabel("state " + scene.hash);
-  setFloor(state, leastBytes(Stage::Motion, Stage::Shade, scene.counts()));
+  setFloor(state, leastBytes(Stage::Motion, Stage::Shade, scene.counts()), seconds);
 }
 
 void runShadows(benchmark::State& state, const Scene& scene, int cells) {
@@ -97,9 +95,9 @@ void runShadows(benchmark::State& state, const Scene& scene, int cells) {
   settings.cellSize = settings.extent() / static_cast<float>(cells);
   settings.cells = cells;
   ShadowPass pass(scene, settings);
-  for (auto _ : state) pass.run();
+  const double seconds = meanSeconds(state, [&] { return secondsOf([&] { pass.run(); }); });
   state.SetLabel("state " + scene.hash);
-  setFloor(state, pass.leastBytes());
+  setFloor(state, pass.leastBytes(), seconds);
 }
 
 void registerStages(Scenes& scenes) {
