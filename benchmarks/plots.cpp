@@ -117,7 +117,10 @@ std::string barPlot(const std::vector<Measured>& rows) {
   const double bottom =
       kTop + kRow * static_cast<double>(rows.size()) + kHead * static_cast<double>(works.size());
   Range times;
-  for (const Measured& row : rows) times.add(row.milliseconds);
+  for (const Measured& row : rows) {
+    times.add(row.milliseconds);
+    times.add(row.floor);
+  }
   Svg svg(720, bottom + 46, text("Times of ", rows.front().group));
   svg.rectangle(0, 0, 720, bottom + 46, kPaper);
   const Axis x = logAxis(times.lowest / 2, times.highest, kLeft, kRight);
@@ -126,7 +129,8 @@ std::string barPlot(const std::vector<Measured>& rows) {
     svg.line(x.pixel(tick.value), kTop, x.pixel(tick.value), bottom, "stroke=\"#e4e4e4\"");
     svg.words(x.pixel(tick.value), bottom + 16, tick.label, "text-anchor=\"middle\"");
   }
-  svg.words(0.5 * (kLeft + kRight), bottom + 36, "milliseconds", "text-anchor=\"middle\"");
+  svg.words(0.5 * (kLeft + kRight), bottom + 36, "milliseconds; black: the floor",
+            "text-anchor=\"middle\"");
   double at = kTop;
   for (const std::string& work : works) {
     svg.words(4, at + 16, spaced(work), "font-weight=\"bold\"");
@@ -138,6 +142,7 @@ std::string barPlot(const std::vector<Measured>& rows) {
       svg.words(kLeft - 8, at + 13, spaced(row.how), "text-anchor=\"end\"");
       svg.rectangle(kLeft, at + 2, std::max(end - kLeft, 1.0), kRow - 5,
                     text("fill=\"", ours ? kColours[0] : "#999999", '"'));
+      svg.rectangle(x.pixel(row.floor) - 1, at + 2, 2, kRow - 5, "fill=\"#000\"");
       svg.words(end + 5, at + 13, brief(row.milliseconds) + " ms");
       at += kRow;
     }

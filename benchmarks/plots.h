@@ -17,6 +17,7 @@ struct Measured {
 /// Reports to the console, and remembers.
 class Collector : public benchmark::ConsoleReporter {
  public:
+  Collector() : ConsoleReporter(OO_None) {}
   void ReportRuns(const std::vector<Run>& runs) override;
   std::vector<Measured> measured;
 };

@@ -73,9 +73,9 @@ TEST(Targets, OnlyChosenRowsAreMeasured) {
 
 // Counters are columns behind the label, in the order of their names.
 TEST(Benchmarks, TellFloorBandwidthAndStateBesideTheTime) {
-  const Outcome outcome = run(
-      "--benchmark_filter='^shadow/smooth/(points_paper|literal_1_thread)/' "
-      "--benchmark_min_time=0.01 --benchmark_format=csv");
+  const Outcome outcome =
+      run("--benchmark_filter='^shadow/smooth/(points_paper|literal_1_thread)/' "
+          "--benchmark_min_time=0.01 --benchmark_format=csv");
   ASSERT_EQ(outcome.code, 0) << outcome.out;
   const std::vector<std::string> head = rowsOf(outcome.out, "name,");
   ASSERT_EQ(head.size(), 1u) << outcome.out;
