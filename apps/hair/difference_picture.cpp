@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <apps/common/svg.h>
 #include <apps/hair/method_style.h>
-#include <apps/hair/svg.h>
 #include <libhair/core/error.h>
 #include <libhair/model/resample.h>
 

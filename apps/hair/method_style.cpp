@@ -1,6 +1,6 @@
 #include <apps/hair/method_style.h>
 
-#include <apps/hair/svg.h>
+#include <apps/common/svg.h>
 #include <libhair/core/error.h>
 
 namespace hair {

@@ -6,10 +6,10 @@
 #include <ostream>
 #include <sstream>
 
+#include <apps/common/svg.h>
 #include <apps/hair/difference_picture.h>
 #include <apps/hair/measure_choice.h>
 #include <apps/hair/method_style.h>
-#include <apps/hair/svg.h>
 #include <apps/hair/svg_plot.h>
 #include <apps/hair/visibility_plot.h>
 #include <libhair/core/error.h>

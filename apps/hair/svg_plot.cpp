@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <apps/common/svg.h>
 #include <apps/hair/method_style.h>
-#include <apps/hair/svg.h>
 #include <libhair/core/error.h>
 
 namespace hair {

@@ -1,4 +1,4 @@
-#include <apps/hair/svg.h>
+#include <apps/common/svg.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,98 @@
+#include <benchmarks/scenes.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <utility>
+
+#include <libhair/core/state_hash.h>
+
+namespace hair::bench {
+
+namespace {
+
+std::unique_ptr<Subject> makeSubject(const SceneOptions& options) {
+  SubjectOptions who;
+  if (options.wisps == 0) {
+    who.strands = options.strands;
+    who.points = options.points;
+    return std::make_unique<Subject>(who);
+  }
+  auto subject = std::make_unique<Subject>(who);
+  StyleSettings style = styleSettings(who.style);
+  style.wisps = options.wisps;
+  if (options.strands > 0) style.strands = options.strands;
+  if (options.points > 0) style.points = options.points;
+  subject->groom = makeGroom(style, *subject->headCollider);
+  for (std::size_t g = 0; g < subject->groom.guideCount(); ++g)
+    subject->longestStrand = std::max(subject->longestStrand, arcLength(subject->groom.guide(g)));
+  return subject;
+}
+
+PerformanceOptions performanceOptions(const SceneOptions& options) {
+  PerformanceOptions how;
+  how.cells = options.cells;
+  how.settle = options.settle;
+  return how;
+}
+
+std::string hashOf(const Hair& hair) {
+  StateHash hash;
+  hair.guides.addTo(hash);
+  hash.add(std::span<const glm::vec3>(hair.wisps.points));
+  hash.add(std::span<const float>(hair.transmittance));
+  hash.add(std::span<const std::uint32_t>(hair.colours));
+  std::ostringstream out;
+  out << std::hex << std::setw(16) << std::setfill('0') << hash.value();
+  return out.str();
+}
+
+}  // namespace
+
+SceneOptions smoothScene() {
+  return {.name = "smooth"};
+}
+
+SceneOptions millionScene() {
+  return {.name = "million", .strands = 33'500};
+}
+
+SceneOptions manyScene() {
+  return {.name = "many", .strands = 100'000, .points = 17, .wisps = 3'334};
+}
+
+Scene::Scene(const SceneOptions& options_)
+    : options(options_),
+      subject(makeSubject(options_)),
+      performance(*subject, performanceOptions(options_)) {
+  for (int f = 0; f < options.frames; ++f) performance.step();
+  hash = hashOf(performance.hair);
+  strands.points = performance.hair.wisps.points;
+  strands.first = subject->groom.first;
+}
+
+std::size_t Scene::segmentCount() const {
+  return subject->groom.pointCount() - subject->groom.strandCount();
+}
+
+Counts Scene::counts() const {
+  const Hair& hair = performance.hair;
+  Counts counts;
+  counts.strands = static_cast<double>(subject->groom.strandCount());
+  counts.points = static_cast<double>(subject->groom.pointCount());
+  counts.guidePoints = static_cast<double>(subject->groom.guidePoints.size());
+  for (const DensityMap& map : hair.maps) counts.bricks += static_cast<double>(map.bricks.size());
+  counts.countedPoints = counts.points / performance.settings.repulsion.strandStride;
+  counts.countedBricks = static_cast<double>(hair.repulsion.density.bricks.size());
+  return counts;
+}
+
+Scene& Scenes::of(const SceneOptions& options) {
+  if (!last_ || !(last_->options == options)) {
+    last_.reset();  // before the next one is made: some are large
+    last_ = std::make_unique<Scene>(options);
+  }
+  return *last_;
+}
+
+}  // namespace hair::bench
