@@ -1,0 +1,346 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "libhair/shadow/deposit_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <libhair/shadow/cells-inl.h>
+
+#include <algorithm>
+#include <bit>
+
+#include <libhair/shadow/deposit_kernels.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hair {
+namespace HWY_NAMESPACE {
+
+/// Sixteen points from points[at] on; where the span ends, its last one again and again.
+HWY_INLINE Vec3 pointsFrom(std::span<const glm::vec3> points, std::size_t at) {
+  if (HWY_LIKELY(at + kLanes <= points.size())) return loadPoints(points.data() + at);
+  glm::vec3 each[kLanes];
+  for (std::size_t l = 0; l < kLanes; ++l) each[l] = points[std::min(at + l, points.size() - 1)];
+  return loadPoints(each);
+}
+
+/// The box of all points that were met.
+class PointBox {
+ public:
+  HWY_INLINE PointBox() : lower_(glm::vec3(1e9f)), upper_(glm::vec3(-1e9f)) {}
+  HWY_INLINE void extend(Vec3 u) {
+    lower_ = {min(lower_.x, u.x), min(lower_.y, u.y), min(lower_.z, u.z)};
+    upper_ = {max(upper_.x, u.x), max(upper_.y, u.y), max(upper_.z, u.z)};
+  }
+  HWY_INLINE void tell(float margin, CellWriter& writer) const {
+    LaneVec3 lower, upper;
+    store(lower_, lower), store(upper_, upper);
+    for (std::size_t l = 0; l < kLanes; ++l)
+      writer.extend(floorToCell(lane(lower, l) - margin), floorToCell(lane(upper, l) + margin));
+  }
+
+ private:
+  Vec3 lower_, upper_;
+};
+
+/// Adds sixteen counts at a time to the writer's cells.
+class Adder {
+ public:
+  HWY_INLINE explicit Adder(CellWriter& writer)
+      : writer_(writer), store_(writer.store()), slots_(store_.slots(0)) {}
+  Adder(const Adder&) = delete;
+  Adder& operator=(const Adder&) = delete;
+  ~Adder() {
+    if (most_ == kFull) writer_.tellFull();
+  }
+
+  HWY_INLINE void add(Ints code, Ints count) {
+    Ints slot = gather(slots_, shiftRight<8>(code));
+    const Mask missing = (slot == Ints(0)) & !(count == Ints(0));
+    if (HWY_UNLIKELY(any(missing))) {
+      make(code, bits(missing));
+      slot = gather(slots_, shiftRight<8>(code));
+    }
+    // Slot 0 takes the zeros that have no brick.
+    HWY_ALIGN std::uint32_t at[kLanes], counts[kLanes];
+    store(shiftLeft<8>(slot) + (code & Ints(brick::kCells - 1)),
+          reinterpret_cast<std::int32_t*>(at));
+    store(count, reinterpret_cast<std::int32_t*>(counts));
+    std::uint32_t* cells = store_.cells(0);
+    std::uint32_t most = most_;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      std::uint32_t sum = cells[at[l]] + counts[l];
+      sum |= sum < counts[l] ? kFull : 0u;
+      cells[at[l]] = sum;
+      most = std::max(most, sum);
+    }
+    most_ = most;
+  }
+
+ private:
+  static_assert(brick::kCells == 256);
+  HWY_NOINLINE void make(Ints code, std::uint32_t missing) {
+    std::int32_t codes[kLanes];
+    store(code, codes);
+    for (; missing != 0; missing &= missing - 1)
+      store_.make(static_cast<std::uint32_t>(codes[std::countr_zero(missing)]) / brick::kCells);
+  }
+
+  CellWriter& writer_;
+  BrickStore& store_;
+  const std::uint32_t* slots_;
+  std::uint32_t most_ = 0;
+};
+
+void pointsKernel(std::span<const glm::vec3> points, std::uint32_t count, CellWriter& writer) {
+  const CellFrame& frame = writer.map().frame;
+  const CellCodes codes(writer.map());
+  const Ints each(static_cast<std::int32_t>(count));
+  PointBox box;
+  Adder adder(writer);
+  for (std::size_t p = 0; p < points.size(); p += kLanes) {
+    const Vec3 u = cellCoordinates(frame, pointsFrom(points, p));
+    box.extend(u);
+    const Ints code = codes.code(floorToInt(u.x), floorToInt(u.y), floorToInt(u.z));
+    adder.add(code, HWY_LIKELY(points.size() - p >= kLanes)
+                        ? each
+                        : select(firstLanes(points.size() - p), each, Ints(0)));
+  }
+  box.tell(0, writer);
+}
+
+/// Parts of segments, each in one column of cells; written where there are sixteen of them.
+class Pieces {
+ public:
+  HWY_INLINE explicit Pieces(CellWriter& writer) : codes_(writer.map()), adder_(writer) {}
+
+  HWY_INLINE void add(Ints column, Floats depth, Ints amount, Mask m) {
+    if (HWY_UNLIKELY(size_ > kSize - kLanes)) flush();
+    compress(column, m, column_ + size_);
+    compress(asInts(depth), m, depth_ + size_);
+    size_ += compress(amount, m, amount_ + size_);
+  }
+  HWY_INLINE void flush() {
+    // Zeros of the first piece's place fill up the last sixteen.
+    store(Ints(column_[0]), column_ + size_);
+    store(Ints(depth_[0]), depth_ + size_);
+    store(Ints(0), amount_ + size_);
+    for (std::size_t l = 0; l < size_; l += kLanes) write(l);
+    size_ = 0;
+  }
+  HWY_INLINE const CellCodes& codes() const { return codes_; }
+
+ private:
+  /// Each is shared between the two slices nearest to its depth.
+  HWY_INLINE void write(std::size_t at) {
+    const Ints column = loadInts(column_ + at), amount = loadInts(amount_ + at);
+    const Floats x = asFloats(loadInts(depth_ + at)) - Floats(0.5f);
+    const Ints slice = floorToInt(x);
+    const Ints far = min(truncate(toFloats(amount) * (x - toFloats(slice))), amount);
+    const Ints near = codes_.wrap(slice, 0);
+    adder_.add(column + codes_.along(near), amount - far);
+    adder_.add(column + codes_.along(codes_.behind(near)), far);
+  }
+
+  static constexpr std::size_t kSize = 256;
+  CellCodes codes_;
+  Adder adder_;
+  std::size_t size_ = 0;
+  std::int32_t column_[kSize + kLanes], depth_[kSize + kLanes], amount_[kSize + kLanes];
+};
+
+/// AxisWalk.
+struct AxisWalks {
+  Ints cell, way, left;
+  Floats next, step;
+
+  HWY_INLINE AxisWalks(Floats a, Floats b) : cell(floorToInt(a)) {
+    const Ints last = floorToInt(b);
+    const Mask up = last > cell;
+    way = select(up, Ints(1), Ints(-1));
+    left = select(up, last - cell, cell - last);
+    const Floats perParameter = Floats(1.0f) / (b - a);
+    const Floats wall = toFloats(cell + select(up, Ints(1), Ints(0)));
+    const Floats first = max((wall - a) * perParameter, Floats(0.0f));
+    next = select(left == Ints(0), Floats(AxisWalk::kNever), first);
+    step = abs(perParameter);
+  }
+  HWY_INLINE void cross(Mask now) {
+    cell = cell + select(now, way, Ints(0));
+    left = left - select(now, Ints(1), Ints(0));
+    const Floats further = select(now, next + step, next);
+    next = select(left == Ints(0), Floats(AxisWalk::kNever), further);
+  }
+};
+
+/// depositColumns of segments with counts below 2^30.
+HWY_INLINE void walkColumns(Vec3 a, Vec3 b, Ints count, Pieces& pieces) {
+  AxisWalks y(a.y, b.y), z(a.z, b.z);
+  const Floats whole = toFloats(count), middle = Floats(0.5f) * (b.x - a.x);
+  Floats behind(0.0f);
+  Ints left(0);
+  for (Mask on = count > Ints(0); any(on);) {
+    const Mask end = (y.left + z.left) == Ints(0);
+    const Floats wall = min(max(min(y.next, z.next), behind), Floats(1.0f));
+    const Ints reached = select(end, count, min(max(truncate(whole * wall), left), count));
+    const CellCodes& codes = pieces.codes();
+    pieces.add(codes.across(codes.wrap(y.cell, 1), codes.wrap(z.cell, 2)),
+               a.x + middle * (behind + wall), reached - left, on);
+    on = on & !end;
+    left = reached;
+    behind = wall;
+    const Mask alongY = y.next <= z.next;
+    y.cross(alongY);
+    z.cross(!alongY);
+  }
+}
+
+HWY_INLINE Floats amountOf(const SegmentScale& scale, Vec3 a, Vec3 b) {
+  const Vec3 d = b - a;
+  const Floats across = d.y * d.y + d.z * d.z;
+  const Floats amount =
+      Floats(scale.perCell) * sqrt(scale.acrossOnly ? across : across + d.x * d.x);
+  return scale.frame.curvature > 0
+             ? amount * magnification(scale.frame, Floats(0.5f) * (a + b))
+             : amount;
+}
+
+/// Some segments that follow each other, of any strands.
+struct SegmentBatch {
+  static constexpr std::size_t kSize = 256;
+
+  std::size_t size = 0;
+  // Of point l, where segment l begins.
+  float x[kSize + kLanes + 1], y[kSize + kLanes + 1], z[kSize + kLanes + 1];
+  std::int32_t whole[kSize], part[kSize], count[kSize];
+  std::uint32_t odd[kSize / kLanes];  // bits: too long, or more than a lane counts
+
+  /// Goes on with segments to the points from points[begin] on, the first from where the last
+  /// batch ended.
+  HWY_INLINE void fill(std::span<const glm::vec3> points, std::size_t begin,
+                       const SegmentScale& scale, float longest, PointBox& box) {
+    x[0] = x[size], y[0] = y[size], z[0] = z[size];
+    size = std::min(points.size() - begin, kSize);
+    for (std::size_t l = 0; l < size; l += kLanes) {
+      const Vec3 u = cellCoordinates(scale.frame, pointsFrom(points, begin + l));
+      box.extend(u);
+      store(u.x, x + l + 1), store(u.y, y + l + 1), store(u.z, z + l + 1);
+    }
+    for (std::size_t l = 0; l < size; l += kLanes) {
+      const Vec3 a = at(l), b = at(l + 1), d = b - a;
+      const Floats amount = amountOf(scale, a, b);
+      const Mask large = !(amount < Floats(Rounder::kWhole));
+      const Floats held = select(large, Floats(0.0f), amount);
+      const Ints floor = truncate(held);
+      store(floor, whole + l);
+      store(truncate((held - toFloats(floor)) * 65536.0f + 0.5f), part + l);
+      odd[l / kLanes] =
+          bits(large | (max(max(abs(d.x), abs(d.y)), abs(d.z)) > Floats(longest)));
+    }
+    for (std::size_t l = size; l % kLanes != 0; ++l) leaveOut(l);
+  }
+  HWY_INLINE Vec3 at(std::size_t l) const {
+    return {loadFloats(x + l), loadFloats(y + l), loadFloats(z + l)};
+  }
+  glm::vec3 point(std::size_t l) const { return {x[l], y[l], z[l]}; }
+  void leaveOut(std::size_t l) {
+    count[l] = 0;
+    odd[l / kLanes] &= ~(1u << l % kLanes);
+  }
+};
+
+/// Counts of a batch's segments, those between strands left out. `begin` is the point where the
+/// batch begins, `strand` that point's strand.
+void countSegments(std::span<const std::uint32_t> first, std::size_t begin, std::size_t& strand,
+                   Rounder& rounder, SegmentBatch& batch) {
+  for (std::size_t l = 0; l < batch.size;) {
+    const std::size_t end = first[strand + 1] - first[0];
+    for (; l < batch.size && begin + l + 1 < end; ++l)
+      batch.count[l] = static_cast<std::int32_t>(rounder.take(batch.whole[l], batch.part[l]));
+    if (l == batch.size) return;
+    if (begin + l + 1 == end) batch.leaveOut(l++);
+    ++strand;
+    rounder = {};
+  }
+}
+
+/// The odd segments of a batch, one after the other.
+HWY_NOINLINE void writeOdd(const SegmentScale& scale, float longest, SegmentBatch& batch,
+                           CellWriter& writer) {
+  for (std::size_t l = 0; l < batch.size; ++l) {
+    if ((batch.odd[l / kLanes] >> l % kLanes & 1) == 0) continue;
+    const glm::vec3 a = batch.point(l), b = batch.point(l + 1);
+    const float amount = scale.amount(a, b);
+    depositColumns(a, b,
+                   amount < Rounder::kWhole ? static_cast<std::uint32_t>(batch.count[l])
+                                            : toCount(amount),
+                   longest, writer);
+    batch.count[l] = 0;
+  }
+}
+
+void columnsKernel(std::span<const glm::vec3> points, std::span<const std::uint32_t> first,
+                   const SegmentScale& scale, float longest, CellWriter& writer) {
+  if (points.empty()) return;
+  PointBox box;
+  Pieces pieces(writer);
+  SegmentBatch batch;
+  const glm::vec3 start = scale.frame.cellCoordinates(points[0]);
+  batch.x[0] = start.x, batch.y[0] = start.y, batch.z[0] = start.z;
+  box.extend(Vec3(start));
+  std::size_t strand = 0;
+  Rounder rounder;
+  for (std::size_t p = 1; p < points.size(); p += batch.size) {
+    batch.fill(points, p, scale, longest, box);
+    countSegments(first, p - 1, strand, rounder, batch);
+    std::uint32_t odd = 0;
+    for (std::size_t l = 0; l < batch.size; l += kLanes) odd |= batch.odd[l / kLanes];
+    if (HWY_UNLIKELY(odd != 0)) writeOdd(scale, longest, batch, writer);
+    for (std::size_t l = 0; l < batch.size; l += kLanes)
+      walkColumns(batch.at(l), batch.at(l + 1), loadInts(batch.count + l), pieces);
+  }
+  pieces.flush();
+  box.tell(0.5f, writer);
+}
+
+double lengthsKernel(StrandView strands, std::size_t step) {
+  Floats sum(0.0f);
+  for (std::size_t s = 0; s < strands.strandCount(); s += step) {
+    const std::size_t end = strands.first[s + 1];
+    for (std::size_t p = strands.first[s]; p + 1 < end; p += kLanes) {
+      const Floats part =
+          length(pointsFrom(strands.points, p + 1) - pointsFrom(strands.points, p));
+      sum = sum + select(firstLanes(std::min(end - 1 - p, kLanes)), part, Floats(0.0f));
+    }
+  }
+  float each[kLanes];
+  store(sum, each);
+  double total = 0;
+  for (const float e : each) total += static_cast<double>(e);
+  return total;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hair
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace hair {
+
+HWY_EXPORT(pointsKernel);
+HWY_EXPORT(columnsKernel);
+HWY_EXPORT(lengthsKernel);
+
+void writePoints(std::span<const glm::vec3> points, std::uint32_t count, CellWriter& writer) {
+  HWY_DYNAMIC_DISPATCH(pointsKernel)(points, count, writer);
+}
+
+void writeColumns(std::span<const glm::vec3> points, std::span<const std::uint32_t> first,
+                  const SegmentScale& scale, float longest, CellWriter& writer) {
+  HWY_DYNAMIC_DISPATCH(columnsKernel)(points, first, scale, longest, writer);
+}
+
+double sumOfLengths(StrandView strands, std::size_t step) {
+  return HWY_DYNAMIC_DISPATCH(lengthsKernel)(strands, step);
+}
+
+}  // namespace hair
+
+#endif
