@@ -47,8 +47,9 @@ class BrickStore {
     return static_cast<std::size_t>(perAxis_.y) * static_cast<std::size_t>(perAxis_.z);
   }
   bool valid() const { return !slots_.empty(); }
-  std::size_t size() const { return places_.size(); }  ///< bricks that exist
-  std::size_t room() const { return room_; }           ///< bricks that it has memory for
+  std::size_t size() const { return places_.size(); }     ///< bricks that exist
+  std::size_t sizeBefore() const { return sizeBefore_; }  ///< those that the last clear() took
+  std::size_t room() const { return room_; }              ///< bricks that it has memory for
   /// Of the table and the bricks that exist.
   std::size_t bytes() const {
     return slots_.size() * sizeof(slots_[0]) +
@@ -99,6 +100,7 @@ class BrickStore {
   void clear() {
     if (3 * size() >= 2 * room_) grow(5 * size() / 2 + 64);
     for (const std::uint32_t p : places_) slots_[p] = 0;
+    sizeBefore_ = places_.size();
     places_.clear();
   }
 
@@ -114,6 +116,7 @@ class BrickStore {
   glm::ivec3 perAxis_{0};
   std::vector<std::uint32_t> slots_;
   std::vector<std::uint32_t> places_;
+  std::size_t sizeBefore_ = 0;
   std::size_t room_ = 0;                    // bricks, that of slot 0 included
   std::unique_ptr<std::uint32_t[]> cells_;  // [room_ · brick::kCells]
 };

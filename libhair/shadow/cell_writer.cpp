@@ -11,8 +11,11 @@ namespace hair {
 
 namespace {
 
-/// What another thread is worth: less work than this is done before it has begun.
-constexpr std::size_t kWorthAThread = 50000;  // ns
+/// Work that is worth another thread, in nanoseconds: less is done before it has begun. Its bricks
+/// are made and added up besides; there will be about as many as a frame before.
+std::size_t worthAThread(const BrickStore& bricks) {
+  return std::max<std::size_t>(50000, 40 * std::max(bricks.size(), bricks.sizeBefore()));
+}
 
 std::uint32_t countFull(const BrickStore& bricks) {
   std::uint32_t full = 0;
@@ -69,8 +72,10 @@ void detail::writeCells(std::size_t count, std::size_t grain, std::size_t nanose
                         DensityMap& map, WriteRange write, void* context) {
   map.lit = false;
   const std::size_t blocks = (count + grain - 1) / grain;
-  const std::size_t workers = std::max<std::size_t>(
-      std::min({blocks, static_cast<std::size_t>(threadCount()), nanoseconds / kWorthAThread}), 1);
+  const std::size_t workers =
+      std::max<std::size_t>(std::min({blocks, static_cast<std::size_t>(threadCount()),
+                                      nanoseconds / worthAThread(map.bricks)}),
+                            1);
   while (map.workers.size() + 1 < workers) map.workers.emplace_back(map.settings.cells);
   std::atomic<std::size_t> next = 0;
   std::mutex joining;

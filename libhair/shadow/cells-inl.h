@@ -20,9 +20,9 @@ HWY_INLINE Vec3 bend(Vec3 v, float k) {
   const Floats rho = sqrt(ahead * ahead + across);
   const Floats sum = select(ahead > Floats(0.0f), rho + ahead, across / (rho - ahead + 1e-30f));
   const Floats g = Floats(2.0f) / sum;
-  const Vec3 u((Floats(2.0f) * v.x + Floats(k) * (v.x * v.x + v.y * v.y + v.z * v.z)) /
-                   (Floats(1.0f) + rho),
-               g * v.y, g * v.z);
+  const Vec3 u(
+      (Floats(2.0f) * v.x + Floats(k) * (v.x * v.x + v.y * v.y + v.z * v.z)) / (Floats(1.0f) + rho),
+      g * v.y, g * v.z);
   return select(sum < Floats(1e-12f), Vec3(v.x, 1e9f, 1e9f), u);
 }
 
@@ -50,18 +50,24 @@ class CellCodes {
         perY_(map.bricks.perAxis().y),
         across_(static_cast<std::int32_t>(map.bricks.across())) {}
 
-  /// DensityMap::wrap of the axis.
+  /// DensityMap::wrap of unwrapped cells.
+  HWY_INLINE void wrap(Ints& x, Ints& y, Ints& z) const {
+    const glm::ivec3 base = map_.frame.base;
+    x = turn(x + Ints(base.x)), y = turn(y + Ints(base.y)), z = turn(z + Ints(base.z));
+    if (HWY_UNLIKELY(any(outside(x) | outside(y) | outside(z)))) {
+      farther(x), farther(y), farther(z);
+    }
+  }
+  /// Of one axis.
   HWY_INLINE Ints wrap(Ints c, int axis) const {
-    const Ints n(cells_);
-    Ints i = c + Ints(map_.frame.base[axis]);
-    i = i + select(i < Ints(0), n, Ints(0));
-    i = i - select(i < n, Ints(0), n);
-    if (HWY_LIKELY(!any((i < Ints(0)) | !(i < n)))) return i;
-    // Farther from the anchor than one map.
-    std::int32_t each[kLanes];
-    store(i, each);
-    for (std::int32_t& e : each) e = map_.wrap(e);
-    return loadInts(each);
+    Ints i = turn(c + Ints(map_.frame.base[axis]));
+    if (HWY_UNLIKELY(any(outside(i)))) farther(i);
+    return i;
+  }
+  /// At most one turn: [0, cells) from [-cells, 2 cells); others stay outside.
+  HWY_INLINE Ints turn(Ints i) const {
+    // As numbers without signs, those that are not inside are larger than those that are.
+    return minUnsigned(minUnsigned(i, i + Ints(cells_)), i - Ints(cells_));
   }
   /// The wrapped slice behind a wrapped one.
   HWY_INLINE Ints behind(Ints x) const {
@@ -77,10 +83,21 @@ class CellCodes {
            (shiftLeft<4>(z & Ints(brick::kZ - 1)) + (y & Ints(brick::kY - 1)));
   }
   HWY_INLINE Ints code(Ints x, Ints y, Ints z) const {
-    return along(wrap(x, 0)) + across(wrap(y, 1), wrap(z, 2));
+    wrap(x, y, z);
+    return along(x) + across(y, z);
   }
+  std::int32_t cells() const { return cells_; }
 
  private:
+  HWY_INLINE Mask outside(Ints i) const { return (i < Ints(0)) | !(i < Ints(cells_)); }
+  /// Where some are farther from the anchor than one map. Sums of a turn are undone by wrapping.
+  HWY_NOINLINE void farther(Ints& i) const {
+    std::int32_t each[kLanes];
+    store(i, each);
+    for (std::int32_t& e : each) e = map_.wrap(e);
+    i = loadInts(each);
+  }
+
   static_assert(brick::kX == 4 && brick::kZ == 4 && brick::kY == 16);
   const DensityMap& map_;
   std::int32_t cells_, perY_, across_;

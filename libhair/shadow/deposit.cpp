@@ -142,26 +142,21 @@ std::size_t costOfPoint(Deposit how) {
   return 1;
 }
 
-/// Strands that follow each other.
-void depositRange(StrandView strands, std::size_t begin, std::size_t end, std::uint32_t count,
-                  const SegmentScale& scale, const DensityMapSettings& settings,
-                  CellWriter& writer) {
+void depositRange(StrandView strands, StrandRange range, const SegmentScale& scale,
+                  const DensityMapSettings& settings, CellWriter& writer) {
   const auto longest = static_cast<float>(settings.cells);
-  const auto points =
-      strands.points.subspan(strands.first[begin], strands.first[end] - strands.first[begin]);
   switch (settings.deposit) {
     case Deposit::Points:
-      return writePoints(points, count, writer);
+      return writePoints(strands, range, writer);
     case Deposit::Columns:
-      return writeColumns(points, strands.first.subspan(begin, end - begin + 1), scale, longest,
-                          writer);
+      return writeColumns(strands, range, scale, longest, writer);
     case Deposit::Segments:
-      for (std::size_t s = begin; s < end; ++s)
-        depositSegments(strands.strand(s), scale, longest, scale.frame, writer);
+      for (std::size_t r = range.begin; r < range.end; ++r)
+        depositSegments(strands.strand(r * range.stride), scale, longest, scale.frame, writer);
       return;
     case Deposit::Trilinear:
-      for (std::size_t s = begin; s < end; ++s)
-        depositTrilinear(strands.strand(s), scale, longest, scale.frame, writer);
+      for (std::size_t r = range.begin; r < range.end; ++r)
+        depositTrilinear(strands.strand(r * range.stride), scale, longest, scale.frame, writer);
       return;
   }
 }
@@ -179,10 +174,7 @@ void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t 
   const std::size_t nanoseconds = strands.pointCount() / stride * costOfPoint(settings.deposit);
   writeCells(read, 32, nanoseconds, map,
              [&](CellWriter& writer, std::size_t begin, std::size_t end) {
-               if (stride == 1)
-                 return depositRange(strands, begin, end, 1, scale, settings, writer);
-               for (std::size_t r = begin; r < end; ++r)
-                 depositRange(strands, r * stride, r * stride + 1, stride, scale, settings, writer);
+               depositRange(strands, {begin, end, stride}, scale, settings, writer);
              });
 }
 
@@ -190,7 +182,8 @@ void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t 
 
 void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t strandStride) {
   require(map.bricks.valid(), "deposit: clear() the density map first");
-  require(strandStride > 0, "deposit: strand stride is 0");
+  require(strandStride > 0 && strandStride < 1u << 30, "deposit: strand stride ", strandStride,
+          " is not in 1 to 2^30 - 1");
   require(fibre.width >= 0 && fibre.opacity >= 0 && fibre.hairsPerStrand >= 0 &&
               std::isfinite(fibre.width * fibre.opacity * fibre.hairsPerStrand),
           "deposit: fibre width ", fibre.width, " m, opacity ", fibre.opacity, " or ",

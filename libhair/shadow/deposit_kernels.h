@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include <libhair/core/strands.h>
 #include <libhair/shadow/cell_writer.h>
@@ -12,13 +12,18 @@ namespace hair {
 // Sixteen points or segments at a time, on whatever vectors the CPU has. The counts are those of
 // one after the other, on every CPU.
 
-/// Adds `count` to the cell of each point.
-void writePoints(std::span<const glm::vec3> points, std::uint32_t count, CellWriter& writer);
+/// Strands begin · stride, (begin + 1) · stride ... to (end - 1) · stride.
+struct StrandRange {
+  std::size_t begin, end;
+  std::uint32_t stride;
+};
 
-/// Deposit::Columns of strands that follow each other: strand s is [first[s], first[s + 1]) of
-/// `points`. A segment that is longer than `longest` cells stays whole in its first cell.
-void writeColumns(std::span<const glm::vec3> points, std::span<const std::uint32_t> first,
-                  const SegmentScale& scale, float longest, CellWriter& writer);
+/// Adds `stride`, below 2^30, to the cell of each point.
+void writePoints(StrandView strands, StrandRange range, CellWriter& writer);
+
+/// Deposit::Columns. A segment that is longer than `longest` cells stays whole in its first cell.
+void writeColumns(StrandView strands, StrandRange range, const SegmentScale& scale, float longest,
+                  CellWriter& writer);
 
 /// Length of every step-th strand, summed up; metres.
 double sumOfLengths(StrandView strands, std::size_t step);

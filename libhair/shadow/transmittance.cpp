@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <hwy/cache_control.h>
+
 #include <libhair/core/parallel.h>
 #include <libhair/shadow/brick_range.h>
 #include <libhair/shadow/transmittance.h>
@@ -52,6 +54,17 @@ HWY_INLINE void attenuateBrick(const std::uint32_t* counts, Run run, float depth
   }
 }
 
+/// Brings a brick from memory that is soon to be walked.
+HWY_INLINE void prefetch(std::uint32_t slot, DensityMap& map) {
+  if (slot == 0) return;
+  const std::uint32_t* counts = map.bricks.cells(slot);
+  const float* out = map.transmittances.slice(slot, 0);
+  for (std::size_t c = 0; c < brick::kCells; c += kLanes) {
+    hwy::Prefetch(counts + c);
+    hwy::Prefetch(out + c);
+  }
+}
+
 /// The columns of one row of bricks across the light, of those in `range`.
 void walkRow(std::size_t z, BrickRange range, DensityMap& map) {
   const BrickStore& bricks = map.bricks;
@@ -66,8 +79,12 @@ void walkRow(std::size_t z, BrickRange range, DensityMap& map) {
     const Run run{slice, std::min({brick::kX - slice, map.settings.cells - first, slices - s})};
     const std::uint32_t* slots = bricks.slots(bricks.place({first, 0, 0}) + z * perRow);
     std::uint32_t* in = before + bricks.across();
+    const std::uint32_t* next = nullptr;
+    if (s + run.count < slices && first + run.count < map.settings.cells)
+      next = slots + bricks.across();
     for (int i = 0; i < range.count; ++i) {
       const std::size_t y = range.at(i);
+      if (next) prefetch(next[y], map);
       const std::uint32_t code = before[y] & Transmittances::kFixed
                                      ? before[y]
                                      : (before[y] + last) | Transmittances::kFixed;
