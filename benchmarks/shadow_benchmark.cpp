@@ -1,6 +1,6 @@
 // The passes of a shadowed picture, each alone, beside the literal reference in the same run:
-// 3,226 strands, 100 K segments, in the volume of a head of hair. Argument: threads, then the
-// deposit or filter (in the order of their enums).
+// 3,226 strands, 100 K segments, in the volume of a head of hair, where nothing else is said. The
+// first argument is the number of threads; a deposit or filter is its place in the enum.
 
 #include <cmath>
 
@@ -21,36 +21,62 @@ const StrandSet& scene() {
   return strands;
 }
 
+/// As scene(), with another number of strands; the last one is kept.
+const StrandSet& sceneOf(std::int64_t strandCount) {
+  static StrandSet strands;
+  if (static_cast<std::int64_t>(strands.strandCount()) != strandCount)
+    strands = test::headOfHair(static_cast<std::uint32_t>(strandCount), 32);
+  return strands;
+}
+
 int threads(const benchmark::State& state) {
   return static_cast<int>(state.range(0));
 }
 
-void done(benchmark::State& state) {
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene().pointCount()));
+/// `cells` an axis in the same volume.
+DensityMapSettings settingsOf(Deposit how, Filter filter, std::int64_t cells) {
+  DensityMapSettings settings;
+  const float extent = settings.extent();
+  settings.deposit = how;
+  settings.filter = filter;
+  settings.cells = static_cast<int>(cells);
+  settings.cellSize = extent / static_cast<float>(cells);
+  settings.pointExtinction = 60;
+  return settings;
 }
 
+void done(benchmark::State& state, const StrandSet& strands = scene()) {
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(strands.pointCount()));
+}
+
+// Arguments: threads, deposit (in the order of the enum), cells, strands.
 void clearAndDeposit(benchmark::State& state) {
   const ThreadLimit limit(threads(state));
-  DensityMapSettings settings;
-  settings.deposit = static_cast<Deposit>(state.range(1));
+  const auto settings =
+      settingsOf(static_cast<Deposit>(state.range(1)), Filter::Centred, state.range(2));
+  const StrandSet& strands = sceneOf(state.range(3));
   const LightSpace light = makeLightSpace(kLight);
   DensityMap map;
   for (auto _ : state) {
     clear(map, settings, light);
-    deposit(scene(), {}, map);
+    deposit(strands, {}, map);
   }
-  done(state);
+  state.counters["bricks"] = static_cast<double>(map.bricks.size());
+  done(state, strands);
 }
 BENCHMARK(clearAndDeposit)
-    ->ArgsProduct({{1, 2}, {0, 1, 2}})
+    ->ArgsProduct({{1, 2}, {0, 1, 2, 3}, {128}, {3226}})
+    ->ArgsProduct({{1, 2}, {0, 1}, {128}, {200, 32258, 51613}})
+    ->ArgsProduct({{1, 2}, {0, 1}, {512}, {3226, 32258}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
 void selfCollisionDensity(benchmark::State& state) {
   const ThreadLimit limit(threads(state));
   DensityMapSettings settings;
-  settings.cells = 32;
+  settings.cells = 64;
   settings.cellSize = 0.02f;
+  settings.deposit = Deposit::Points;
   settings.quantity = Quantity::Length;
   const LightSpace light = makeLightSpace(kLight);
   DensityMap map;
@@ -59,16 +85,20 @@ void selfCollisionDensity(benchmark::State& state) {
     deposit(scene(), {}, map, 32);
   }
 }
-BENCHMARK(selfCollisionDensity)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(selfCollisionDensity)->Arg(1)->Arg(2)->Unit(benchmark::kMicrosecond)->UseRealTime();
 
 void transmittance(benchmark::State& state) {
   const ThreadLimit limit(threads(state));
   DensityMap map;
-  test::shadow(scene(), {}, makeLightSpace(kLight), map);
+  test::shadow(scene(), settingsOf(Deposit::Columns, Filter::Centred, state.range(1)),
+               makeLightSpace(kLight), map);
   for (auto _ : state) computeTransmittance(map);
   done(state);
 }
-BENCHMARK(transmittance)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(transmittance)
+    ->ArgsProduct({{1, 2}, {128, 512}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 void filter(benchmark::State& state) {
   const ThreadLimit limit(threads(state));
@@ -81,12 +111,10 @@ void filter(benchmark::State& state) {
 }
 BENCHMARK(filter)->ArgsProduct({{1, 2}, {0, 1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
 
+// Arguments: threads, cells.
 void wholePass(benchmark::State& state, Deposit how, Filter filter) {
   const ThreadLimit limit(threads(state));
-  DensityMapSettings settings;
-  settings.deposit = how;
-  settings.filter = filter;
-  settings.pointExtinction = 60;
+  const DensityMapSettings settings = settingsOf(how, filter, state.range(1));
   const LightSpace light = makeLightSpace(kLight);
   DensityMap map;
   std::vector<float> out(scene().pointCount());
@@ -99,13 +127,11 @@ void wholePass(benchmark::State& state, Deposit how, Filter filter) {
   done(state);
 }
 BENCHMARK_CAPTURE(wholePass, paper, Deposit::Points, Filter::Paper)
-    ->Arg(1)
-    ->Arg(2)
+    ->ArgsProduct({{1, 2}, {128, 512}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_CAPTURE(wholePass, defaults, Deposit::Columns, Filter::Centred)
-    ->Arg(1)
-    ->Arg(2)
+    ->ArgsProduct({{1, 2}, {128, 512}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

@@ -27,7 +27,8 @@ inline std::size_t offset(glm::ivec3 cell) {
 }  // namespace brick
 
 /// Sparse cells: a table with a place for every brick of the grid, and a pool of those that exist.
-/// Slots count from 1 in the order of their making; a table's 0 is "nothing there".
+/// Slots count from 1 in the order of their making; a table's 0 is "nothing there", and its cells
+/// are 0.
 class BrickStore {
  public:
   BrickStore() = default;
@@ -35,7 +36,10 @@ class BrickStore {
   explicit BrickStore(int cells)
       : perAxis_((cells + brick::kX - 1) / brick::kX, (cells + brick::kY - 1) / brick::kY,
                  (cells + brick::kZ - 1) / brick::kZ),
-        slots_(static_cast<std::size_t>(perAxis_.x) * across()) {}
+        slots_(static_cast<std::size_t>(perAxis_.x) * across()) {
+    grow(64);
+    std::memset(this->cells(0), 0, brick::kCells * sizeof(std::uint32_t));
+  }
 
   glm::ivec3 perAxis() const { return perAxis_; }  ///< bricks
   /// Bricks of a slice of bricks.
@@ -43,8 +47,9 @@ class BrickStore {
     return static_cast<std::size_t>(perAxis_.y) * static_cast<std::size_t>(perAxis_.z);
   }
   bool valid() const { return !slots_.empty(); }
-  std::size_t size() const { return places_.size(); }  ///< bricks that exist
-  std::size_t room() const { return room_; }           ///< bricks that it has memory for
+  std::size_t size() const { return places_.size(); }     ///< bricks that exist
+  std::size_t sizeBefore() const { return sizeBefore_; }  ///< those that the last clear() took
+  std::size_t room() const { return room_; }              ///< bricks that it has memory for
   /// Of the table and the bricks that exist.
   std::size_t bytes() const {
     return slots_.size() * sizeof(slots_[0]) +
@@ -79,7 +84,7 @@ class BrickStore {
   /// Makes a brick of whatever values where none is; true if it did.
   bool claim(std::size_t place) {
     if (slots_[place] != 0) return false;
-    if (places_.size() + 1 >= room_) grow(2 * room_ + 64);
+    if (places_.size() + 1 >= room_) grow(2 * room_);
     places_.push_back(static_cast<std::uint32_t>(place));
     slots_[place] = static_cast<std::uint32_t>(places_.size());
     return true;
@@ -95,6 +100,7 @@ class BrickStore {
   void clear() {
     if (3 * size() >= 2 * room_) grow(5 * size() / 2 + 64);
     for (const std::uint32_t p : places_) slots_[p] = 0;
+    sizeBefore_ = places_.size();
     places_.clear();
   }
 
@@ -110,6 +116,7 @@ class BrickStore {
   glm::ivec3 perAxis_{0};
   std::vector<std::uint32_t> slots_;
   std::vector<std::uint32_t> places_;
+  std::size_t sizeBefore_ = 0;
   std::size_t room_ = 0;                    // bricks, that of slot 0 included
   std::unique_ptr<std::uint32_t[]> cells_;  // [room_ · brick::kCells]
 };

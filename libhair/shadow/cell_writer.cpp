@@ -5,36 +5,16 @@
 #include <mutex>
 
 #include <libhair/core/parallel.h>
+#include <libhair/shadow/add_bricks.h>
 
 namespace hair {
 
 namespace {
 
-/// sum += from, and `from` is empty. True if a cell is full now.
-bool addUp(BrickStore& from, BrickStore& sum) {
-  // Places are made one after another, which is a look at the table each; bytes move in parallel.
-  const std::size_t old = sum.size();
-  for (const std::uint32_t place : from.places()) sum.claim(place);
-  std::atomic<bool> full = false;
-  parallelFor(from.size(), 32, [&](std::size_t begin, std::size_t end) {
-    bool anyFull = false;
-    for (std::size_t b = begin; b < end; ++b) {
-      const std::uint32_t* theirs = from.cells(static_cast<std::uint32_t>(b + 1));
-      const std::uint32_t slot = sum.slot(from.places()[b]);
-      std::uint32_t* mine = sum.cells(slot);
-      if (slot > old) {
-        std::copy_n(theirs, brick::kCells, mine);
-        continue;
-      }
-      for (std::size_t c = 0; c < brick::kCells; ++c) {
-        mine[c] = addSaturating(mine[c], theirs[c]);
-        anyFull |= mine[c] == kFull;
-      }
-    }
-    if (anyFull) full = true;
-  });
-  from.clear();
-  return full;
+/// Work that is worth another thread, in nanoseconds: less is done before it has begun. Its bricks
+/// are made and added up besides; there will be about as many as a frame before.
+std::size_t worthAThread(const BrickStore& bricks) {
+  return std::max<std::size_t>(50000, 40 * std::max(bricks.size(), bricks.sizeBefore()));
 }
 
 std::uint32_t countFull(const BrickStore& bricks) {
@@ -88,12 +68,14 @@ void CellWriter::flush() {
   size_ = 0;
 }
 
-void detail::writeCells(std::size_t count, std::size_t grain, DensityMap& map, WriteRange write,
-                        void* context) {
+void detail::writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds,
+                        DensityMap& map, WriteRange write, void* context) {
   map.lit = false;
   const std::size_t blocks = (count + grain - 1) / grain;
   const std::size_t workers =
-      std::clamp<std::size_t>(blocks, 1, static_cast<std::size_t>(threadCount()));
+      std::max<std::size_t>(std::min({blocks, static_cast<std::size_t>(threadCount()),
+                                      nanoseconds / worthAThread(map.bricks)}),
+                            1);
   while (map.workers.size() + 1 < workers) map.workers.emplace_back(map.settings.cells);
   std::atomic<std::size_t> next = 0;
   std::mutex joining;
@@ -113,7 +95,7 @@ void detail::writeCells(std::size_t count, std::size_t grain, DensityMap& map, W
   });
   map.lower = lower;
   map.upper = upper;
-  for (std::size_t w = 1; w < workers; ++w) full |= addUp(map.workers[w - 1], map.bricks);
+  for (std::size_t w = 1; w < workers; ++w) full |= addBricks(map.workers[w - 1], map.bricks);
   map.saturatedCells = full ? countFull(map.bricks) : 0;
 }
 

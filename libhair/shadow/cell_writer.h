@@ -46,6 +46,11 @@ class CellWriter {
   /// Now all that was added is in the store.
   void flush();
 
+  /// For kernels that write to the store themselves.
+  const DensityMap& map() const { return map_; }
+  BrickStore& store() { return store_; }
+  void tellFull() { full_ = true; }
+
   glm::ivec3 lower() const { return lower_; }
   glm::ivec3 upper() const { return upper_; }
   bool full() const { return full_; }  ///< a sum did not fit
@@ -64,18 +69,20 @@ class CellWriter {
 
 namespace detail {
 using WriteRange = void (*)(void* context, CellWriter& writer, std::size_t begin, std::size_t end);
-void writeCells(std::size_t count, std::size_t grain, DensityMap& map, WriteRange write,
-                void* context);
+void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, DensityMap& map,
+                WriteRange write, void* context);
 }  // namespace detail
 
-/// Calls write(writer, begin, end) on ranges of at most `grain` that cover [0, count), on all
-/// threads, and adds up what they wrote in map.bricks, with bounds and saturation. The result has
-/// the same bits for any number of threads.
+/// Calls write(writer, begin, end) on ranges of at most `grain` that cover [0, count), on as many
+/// threads as there is work for (`nanoseconds`: what it would take one, roughly), and adds up what
+/// they wrote in map.bricks, with bounds and saturation. The result has the same bits for any
+/// number of threads.
 template <class Write>
-void writeCells(std::size_t count, std::size_t grain, DensityMap& map, Write&& write) {
+void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, DensityMap& map,
+                Write&& write) {
   using Plain = std::remove_reference_t<Write>;
   detail::writeCells(
-      count, grain, map,
+      count, grain, nanoseconds, map,
       [](void* context, CellWriter& writer, std::size_t begin, std::size_t end) {
         (*static_cast<Plain*>(context))(writer, begin, end);
       },

@@ -51,7 +51,7 @@ bool DensityMap::aliased() const {
 std::size_t DensityMap::bytes() const {
   return bricks.bytes() +
          (bricks.size() + 1) * Transmittances::kLayers * Transmittances::kLayer * sizeof(float) +
-         lightIn.size() * sizeof(lightIn[0]) + lightHere.size() * sizeof(lightHere[0]);
+         lightIn.size() * sizeof(lightIn[0]);
 }
 
 float DensityMap::density(glm::ivec3 cell) const {

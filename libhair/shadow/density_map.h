@@ -96,13 +96,13 @@ struct DensityMap {
   // Unwrapped cells that hold hair; lower > upper while there is none.
   glm::ivec3 lower{INT_MAX}, upper{INT_MIN};
 
-  BrickStore bricks;                   ///< counts: fixed-point density
-  std::vector<BrickStore> workers;     ///< what other threads deposited, before it was added up
-  std::uint32_t saturatedCells = 0;    ///< whose sum did not fit; they stand at 2^32 - 1
-  bool lit = false;                    ///< transmittances are of what was deposited
-  Transmittances transmittances;       ///< of the bricks
-  std::vector<std::uint32_t> lightIn;  ///< [runs][across] codes, see Transmittances
-  std::vector<float> lightHere;        ///< [across · brick::kLayer], of the walk along the light
+  BrickStore bricks;                 ///< counts: fixed-point density
+  std::vector<BrickStore> workers;   ///< what other threads deposited, before it was added up
+  std::uint32_t saturatedCells = 0;  ///< whose sum did not fit; they stand at 2^32 - 1
+  bool lit = false;                  ///< transmittances are of what was deposited
+  Transmittances transmittances;     ///< of the bricks
+  /// [runs][across] codes, see Transmittances; written where a filter may read them (bricksToRead)
+  std::vector<std::uint32_t> lightIn;
 
   bool empty() const { return lower.x > upper.x; }
   /// Slices between the first and the last that hold hair, at most `cells`.

@@ -19,7 +19,7 @@ namespace hair {
 /// to the optical depth of its column (Columns, Segments, Trilinear), or l ·
 /// hairsPerStrand metres (Quantity::Length, parallel light only). Deposit::Points adds one count
 /// per point instead, each worth f · ds. Only every strandStride-th strand is read, and counts for
-/// that many.
+/// that many (1 to 2^30 - 1).
 ///
 /// Adds nothing silently wrong: map.saturatedCells counts the cells whose sum did not fit, and
 /// map.aliased() says whether the hair is larger than the map. May be called again to

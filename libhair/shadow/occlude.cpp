@@ -72,25 +72,29 @@ void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMa
   const int firstSlice = map.empty() ? box.lower.x : map.upper.x - map.settings.cells + 1;
   if (glm::any(glm::greaterThan(box.lower, box.upper))) return;
   const auto rows = static_cast<std::size_t>(box.upper.z - box.lower.z) + 1;
-  writeCells(rows, 4, map, [&](CellWriter& writer, std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      const int k = box.lower.z + static_cast<int>(row);
-      for (int j = box.lower.y; j <= box.upper.y; ++j) {
-        for (int i = box.lower.x; i <= box.upper.x;) {
-          const glm::vec3 front(static_cast<float>(i), static_cast<float>(j) + 0.5f,
-                                static_cast<float>(k) + 0.5f);
-          const float d = distance(frame.point(front)) / cell;
-          if (d <= -0.5f) {
-            const glm::ivec3 first(std::max(i, firstSlice), j, k);
-            writer.extend(first, first);
-            writer.add(first, count);
-            break;
-          }
-          i += std::max(static_cast<int>(d), 1);
-        }
-      }
-    }
-  });
+  // A few steps to a column, each of some tens of nanoseconds.
+  const std::size_t nanoseconds =
+      rows * (static_cast<std::size_t>(box.upper.y - box.lower.y) + 1) * 100;
+  writeCells(rows, 4, nanoseconds, map,
+             [&](CellWriter& writer, std::size_t begin, std::size_t end) {
+               for (std::size_t row = begin; row < end; ++row) {
+                 const int k = box.lower.z + static_cast<int>(row);
+                 for (int j = box.lower.y; j <= box.upper.y; ++j) {
+                   for (int i = box.lower.x; i <= box.upper.x;) {
+                     const glm::vec3 front(static_cast<float>(i), static_cast<float>(j) + 0.5f,
+                                           static_cast<float>(k) + 0.5f);
+                     const float d = distance(frame.point(front)) / cell;
+                     if (d <= -0.5f) {
+                       const glm::ivec3 first(std::max(i, firstSlice), j, k);
+                       writer.extend(first, first);
+                       writer.add(first, count);
+                       break;
+                     }
+                     i += std::max(static_cast<int>(d), 1);
+                   }
+                 }
+               }
+             });
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <libhair/core/strands.h>
+#include <libhair/shadow/cell_writer.h>
+#include <libhair/shadow/segment_walk.h>
+
+namespace hair {
+
+// Sixteen points or segments at a time, on whatever vectors the CPU has. The counts are those of
+// one after the other, on every CPU.
+
+/// Strands begin · stride, (begin + 1) · stride ... to (end - 1) · stride.
+struct StrandRange {
+  std::size_t begin, end;
+  std::uint32_t stride;
+};
+
+/// Adds `stride`, below 2^30, to the cell of each point.
+void writePoints(StrandView strands, StrandRange range, CellWriter& writer);
+
+/// Deposit::Columns. A segment that is longer than `longest` cells stays whole in its first cell.
+void writeColumns(StrandView strands, StrandRange range, const SegmentScale& scale, float longest,
+                  CellWriter& writer);
+
+/// Length of every step-th strand, summed up; metres.
+double sumOfLengths(StrandView strands, std::size_t step);
+
+}  // namespace hair
