@@ -103,6 +103,9 @@ struct DensityMap {
   Transmittances transmittances;     ///< of the bricks
   /// [runs][across] codes, see Transmittances; written where a filter may read them (bricksToRead)
   std::vector<std::uint32_t> lightIn;
+  /// [0]: what is before the hair; [1 + s]: slice s of the hair. Where the codes of its run stand
+  /// in lightIn, and which slice of its bricks it is.
+  std::vector<std::int32_t> sliceRun, sliceInBrick;
 
   bool empty() const { return lower.x > upper.x; }
   /// Slices between the first and the last that hold hair, at most `cells`.

@@ -18,7 +18,6 @@ namespace hair {
 struct FilterView {
   const DensityMap& map;
   FootprintKernel kernel;
-  const std::int32_t *codes, *inBrick;  // of slices; see TransmittanceSampler
   float scale;
   int perRow;  // bricks of a row of bricks
   int seam;    // the last cell of an axis, if that is in the middle of a brick; or -1
@@ -55,8 +54,8 @@ class Cells {
     // Hair deeper than the map: its far end is stored in the slices of its near end (paper, Psi).
     if (HWY_UNLIKELY(aliased_)) s = each(s, [this](int v) { return v >= n_ ? v % n_ : v; });
     const Ints at = min(max(s, Ints(-1)), Ints(deepest_)) + Ints(1);
-    return {gather(view_.codes, at), gather(view_.inBrick, at), at == Ints(0), at == Ints(1),
-            s > Ints(deepest_)};
+    return {gather(map_.sliceRun.data(), at), gather(map_.sliceInBrick.data(), at), at == Ints(0),
+            at == Ints(1), s > Ints(deepest_)};
   }
   /// Where unwrapped cells are stored along an axis, from where the map's base is.
   HWY_INLINE Ints wrap(Ints cell, int base) const {
@@ -366,22 +365,9 @@ HWY_EXPORT(sampleAll);
 TransmittanceSampler::TransmittanceSampler(const DensityMap& map, Of what) : map_(map), scale_(1) {
   if (map.empty()) return;
   require(map.lit, "sampleTransmittance: computeTransmittance() of what was deposited comes first");
-  const FootprintKernel kernel(map.settings);
   if (what == Of::Strands)
-    scale_ = std::exp(0.5f * map.fibreShadow / map.settings.cellSize * kernel.onALine());
-  const auto across = static_cast<std::int32_t>(map.bricks.across());
-  const int n = map.settings.cells, begin = map.wrap(map.frame.base.x + map.lower.x);
-  codes_[0] = inBrick_[0] = 0;
-  for (int s = 0; s < map.depth(); ++s) {
-    // Where the modulo comes round, another run begins.
-    const bool turned = begin + s >= n;
-    const int wrapped = turned ? begin + s - n : begin + s;
-    const int run = turned ? (n - 1) / brick::kX - begin / brick::kX + 1 + wrapped / brick::kX
-                           : wrapped / brick::kX - begin / brick::kX;
-    const auto at = static_cast<std::size_t>(s) + 1;
-    codes_[at] = (run + 1) * across;
-    inBrick_[at] = wrapped % brick::kX;
-  }
+    scale_ = std::exp(0.5f * map.fibreShadow / map.settings.cellSize *
+                      FootprintKernel(map.settings).onALine());
 }
 
 void TransmittanceSampler::sample(std::span<const glm::vec3> points, std::span<float> out) const {
@@ -392,12 +378,7 @@ void TransmittanceSampler::sample(std::span<const glm::vec3> points, std::span<f
     return;
   }
   const int n = map_.settings.cells;
-  const FilterView view{map_,
-                        FootprintKernel(map_.settings),
-                        codes_.data(),
-                        inBrick_.data(),
-                        scale_,
-                        map_.bricks.perAxis().y,
+  const FilterView view{map_, FootprintKernel(map_.settings), scale_, map_.bricks.perAxis().y,
                         n % brick::kY == 0 ? -1 : n - 1};
   HWY_DYNAMIC_DISPATCH(sampleAll)(view, points.data(), points.size(), out.data());
 }

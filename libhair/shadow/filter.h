@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 
 #include <glm/glm.hpp>
@@ -40,13 +39,8 @@ class TransmittanceSampler {
   void sample(std::span<const glm::vec3> points, std::span<float> out) const;
 
  private:
-  static constexpr std::size_t kMostSlices = 1024;
-
   const DensityMap& map_;
   float scale_;  // of what is read, before it is cut at 1
-  // [0]: before the hair; [1 + s]: of slice s. Where the codes of its run stand in map.lightIn, and
-  // which slice of its bricks it is.
-  std::array<std::int32_t, kMostSlices + 1> codes_, inBrick_;
 };
 
 }  // namespace hair

@@ -126,8 +126,32 @@ namespace hair {
 
 HWY_EXPORT(walkRow);
 
+namespace {
+
+void findSlices(DensityMap& map) {
+  const auto across = static_cast<std::int32_t>(map.bricks.across());
+  const int n = map.settings.cells, begin = map.wrap(map.frame.base.x + map.lower.x);
+  const auto slices = static_cast<std::size_t>(map.depth());
+  map.sliceRun.resize(slices + 1);
+  map.sliceInBrick.resize(slices + 1);
+  map.sliceRun[0] = map.sliceInBrick[0] = 0;
+  for (std::size_t s = 0; s < slices; ++s) {
+    // Where the modulo comes round, another run begins.
+    const int straight = begin + static_cast<int>(s);
+    const bool turned = straight >= n;
+    const int wrapped = turned ? straight - n : straight;
+    const int run = turned ? (n - 1) / brick::kX - begin / brick::kX + 1 + wrapped / brick::kX
+                           : wrapped / brick::kX - begin / brick::kX;
+    map.sliceRun[1 + s] = (run + 1) * across;
+    map.sliceInBrick[1 + s] = wrapped % brick::kX;
+  }
+}
+
+}  // namespace
+
 void computeTransmittance(DensityMap& map) {
   map.transmittances.reserve(map.bricks.room());
+  findSlices(map);
   // Run 0 is before all hair; then bricks along the light, which the first and the last slice may
   // share with slices that are not walked, and one more where the modulo comes round.
   const auto runs = static_cast<std::size_t>(map.depth() / brick::kX + 4);
