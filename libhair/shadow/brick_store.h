@@ -84,7 +84,7 @@ class BrickStore {
   /// Makes a brick of whatever values where none is; true if it did.
   bool claim(std::size_t place) {
     if (slots_[place] != 0) return false;
-    if (places_.size() + 1 >= room_) grow(2 * room_);
+    if (places_.size() + 1 >= room_) grow(2 * room_ + 64);
     places_.push_back(static_cast<std::uint32_t>(place));
     slots_[place] = static_cast<std::uint32_t>(places_.size());
     return true;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/glm.hpp>
@@ -21,8 +20,7 @@ struct AxisWalk {
   AxisWalk(float a, float b, int cell, int last) : way(last > cell ? 1 : -1), left(last - cell) {
     const float perParameter = 1.0f / (b - a);
     const float wall = static_cast<float>(cell + (way > 0 ? 1 : 0));
-    // Never before the segment begins, nor no number where denormals have no reciprocal.
-    const float first = std::max(0.0f, (wall - a) * perParameter);
+    const float first = (wall - a) * perParameter;
     next = left == 0 ? kNever : first;
     step = std::abs(perParameter);
     left = std::abs(left);

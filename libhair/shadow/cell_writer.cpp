@@ -4,8 +4,10 @@
 #include <atomic>
 #include <mutex>
 
+#include <libhair/core/lanes.h>
 #include <libhair/core/parallel.h>
 #include <libhair/shadow/add_bricks.h>
+#include <libhair/shadow/deposit_kernels.h>
 
 namespace hair {
 
@@ -28,44 +30,26 @@ std::uint32_t countFull(const BrickStore& bricks) {
 }  // namespace
 
 void CellWriter::flush() {
-  const int n = map_.settings.cells;
-  const glm::ivec3 base = map_.frame.base, perAxis = store_.perAxis();
-  // Hair is hardly ever farther than a map from its anchor: then no division wraps a cell.
-  const auto wrapAll = [&](int* c, int from) {
-    unsigned beyond = 0;
-    for (std::size_t l = 0; l < size_; ++l) {
-      int i = c[l] + from;
-      i += i < 0 ? n : 0;
-      i -= i >= n ? n : 0;
-      beyond |= static_cast<unsigned>(i) >= static_cast<unsigned>(n) ? 1u : 0u;
-      c[l] = i;
+  if (std::any_of(counts_, counts_ + size_, [](std::uint32_t c) { return c >= kManyCounts; })) {
+    for (std::size_t l = 0; l < size_; ++l) addAlone({x_[l], y_[l], z_[l]}, counts_[l]);
+  } else {
+    // Zeros fill up the lanes.
+    for (; size_ % kLanes != 0; ++size_) {
+      x_[size_] = x_[0], y_[size_] = y_[0], z_[size_] = z_[0];
+      counts_[size_] = 0;
     }
-    if (beyond == 0) return;
-    for (std::size_t l = 0; l < size_; ++l) c[l] = map_.wrap(c[l]);
-  };
-  wrapAll(x_, base.x);
-  wrapAll(y_, base.y);
-  wrapAll(z_, base.z);
-  // As BrickStore::place and brick::offset, of numbers that are not negative.
-  std::uint32_t place[kSize], offset[kSize];
-  for (std::size_t l = 0; l < size_; ++l) {
-    const auto x = static_cast<std::uint32_t>(x_[l]), y = static_cast<std::uint32_t>(y_[l]),
-               z = static_cast<std::uint32_t>(z_[l]);
-    place[l] = (x / brick::kX * static_cast<std::uint32_t>(perAxis.z) + z / brick::kZ) *
-                   static_cast<std::uint32_t>(perAxis.y) +
-               y / brick::kY;
-    offset[l] = (x % brick::kX * brick::kZ + z % brick::kZ) * brick::kY + y % brick::kY;
-  }
-  for (std::size_t l = 0; l < size_; ++l) {
-    const std::uint32_t count = counts_[l];
-    if (count == 0) continue;
-    std::uint32_t slot = store_.slot(place[l]);
-    if (slot == 0) slot = store_.make(place[l]);
-    std::uint32_t& sum = store_.cells(slot)[offset[l]];
-    sum = addSaturating(sum, count);
-    full_ |= sum == kFull;
+    writeCounts(x_, y_, z_, counts_, size_, *this);
   }
   size_ = 0;
+}
+
+void CellWriter::addAlone(glm::ivec3 cell, std::uint32_t count) {
+  if (count == 0) return;
+  const glm::ivec3 wrapped = map_.wrap(cell);
+  const std::uint32_t slot = store_.make(store_.place(wrapped));
+  std::uint32_t& sum = store_.cells(slot)[brick::offset(wrapped)];
+  sum = addSaturating(sum, count);
+  full_ |= sum == kFull;
 }
 
 void detail::writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds,

@@ -58,6 +58,8 @@ class CellWriter {
  private:
   static constexpr std::size_t kSize = 64;
 
+  void addAlone(glm::ivec3 cell, std::uint32_t count);
+
   const DensityMap& map_;
   BrickStore& store_;
   std::size_t size_ = 0;

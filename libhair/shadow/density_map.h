@@ -17,7 +17,7 @@ namespace hair {
 enum class Deposit {
   Points,  ///< the paper: every point adds one count to its cell
   /// Every segment cut where it leaves a column of cells, each piece shared between the two slices
-  /// that are nearest to its middle: as accurate as Segments for two thirds of its cost.
+  /// that are nearest to its middle: as accurate as Segments for a quarter of its cost.
   Columns,
   Segments,   ///< every segment adds to each cell that it crosses what lies inside
   Trilinear,  ///< samples of every segment, spread over the eight nearest cells

@@ -57,7 +57,7 @@ void forCells(std::span<const glm::vec3> points, float margin, const CellFrame& 
 }
 
 template <class Writer>
-void depositSegments(std::span<const glm::vec3> points, const SegmentScale& scale, float longest,
+void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, float longest,
                      const CellFrame& frame, Writer& writer) {
   glm::vec3 a(0);
   glm::ivec3 at(0);

@@ -39,11 +39,9 @@ class PointBox {
   Vec3 lower_, upper_;
 };
 
-/// Adds counts below kMost to the writer's cells, sixteen at a time.
+/// Adds counts below kManyCounts to the writer's cells, sixteen at a time.
 class Adder {
  public:
-  static constexpr std::uint32_t kMost = 0x40000000u;
-
   HWY_INLINE explicit Adder(CellWriter& writer)
       : writer_(writer), store_(writer.store()), slots_(store_.slots(0)) {}
   Adder(const Adder&) = delete;
@@ -192,7 +190,7 @@ class Pieces {
   std::int32_t column_[kSize + kLanes], depth_[kSize + kLanes], amount_[kSize + kLanes];
 };
 
-/// AxisWalk.
+/// AxisWalk of depositColumns.
 struct AxisWalks {
   Ints cell, way, left;
   Floats next, step;
@@ -357,6 +355,16 @@ void columnsKernel(StrandView strands, StrandRange range, const SegmentScale& sc
   box.tell(0.5f, writer);
 }
 
+void countsKernel(const int* x, const int* y, const int* z, const std::uint32_t* counts,
+                  std::size_t size, CellWriter& writer) {
+  const CellCodes codes(writer.map());
+  Adder adder(writer);
+  for (std::size_t l = 0; l < size; l += kLanes)
+    adder.add(codes.code(loadInts(x + l), loadInts(y + l), loadInts(z + l)),
+              loadInts(reinterpret_cast<const std::int32_t*>(counts + l)));
+  adder.flush();
+}
+
 double lengthsKernel(StrandView strands, std::size_t step) {
   Floats sum(0.0f);
   for (std::size_t s = 0; s < strands.strandCount(); s += step) {
@@ -383,6 +391,7 @@ namespace hair {
 
 HWY_EXPORT(pointsKernel);
 HWY_EXPORT(columnsKernel);
+HWY_EXPORT(countsKernel);
 HWY_EXPORT(lengthsKernel);
 
 void writePoints(StrandView strands, StrandRange range, CellWriter& writer) {
@@ -392,6 +401,11 @@ void writePoints(StrandView strands, StrandRange range, CellWriter& writer) {
 void writeColumns(StrandView strands, StrandRange range, const SegmentScale& scale, float longest,
                   CellWriter& writer) {
   HWY_DYNAMIC_DISPATCH(columnsKernel)(strands, range, scale, longest, writer);
+}
+
+void writeCounts(const int* x, const int* y, const int* z, const std::uint32_t* counts,
+                 std::size_t size, CellWriter& writer) {
+  HWY_DYNAMIC_DISPATCH(countsKernel)(x, y, z, counts, size, writer);
 }
 
 double sumOfLengths(StrandView strands, std::size_t step) {

@@ -100,6 +100,8 @@ void depositColumns(glm::vec3 a, glm::vec3 b, std::uint32_t count, float longest
   if (longerThan(longest, a, b)) return writer.add(cell, count);
   const glm::ivec3 last = floorToCell(b);
   AxisWalk y(a.y, b.y, cell.y, last.y), z(a.z, b.z, cell.z, last.z);
+  // No number where a denormal way has no reciprocal.
+  y.next = std::max(0.0f, y.next), z.next = std::max(0.0f, z.next);
   const auto whole = static_cast<float>(count);
   const float middle = 0.5f * (b.x - a.x);
   // Between the two nearest slices, so that nothing jumps as hair or light move.

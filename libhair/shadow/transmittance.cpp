@@ -155,6 +155,7 @@ void computeTransmittance(DensityMap& map) {
   // Run 0 is before all hair; then bricks along the light, which the first and the last slice may
   // share with slices that are not walked, and one more where the modulo comes round.
   const auto runs = static_cast<std::size_t>(map.depth() / brick::kX + 4);
+  map.lightIn.reserve((static_cast<std::size_t>(map.bricks.perAxis().x) + 4) * map.bricks.across());
   map.lightIn.resize(runs * map.bricks.across());
   const BrickRange across = bricksToRead(map, 1), rows = bricksToRead(map, 2);
   parallelFor(static_cast<std::size_t>(rows.count), 1, [&](std::size_t begin, std::size_t end) {
