@@ -132,6 +132,9 @@ void findSlices(DensityMap& map) {
   const auto across = static_cast<std::int32_t>(map.bricks.across());
   const int n = map.settings.cells, begin = map.wrap(map.frame.base.x + map.lower.x);
   const auto slices = static_cast<std::size_t>(map.depth());
+  // Room for the deepest hair: that of a later frame may be deeper.
+  map.sliceRun.reserve(static_cast<std::size_t>(n) + 1);
+  map.sliceInBrick.reserve(static_cast<std::size_t>(n) + 1);
   map.sliceRun.resize(slices + 1);
   map.sliceInBrick.resize(slices + 1);
   map.sliceRun[0] = map.sliceInBrick[0] = 0;
