@@ -60,10 +60,10 @@ struct Floats {
   hn::Vec<FloatTag> part[kParts];
   Floats() = default;
   HWY_INLINE Floats(float v) { HAIR_PARTS(part[p] = hn::Set(FloatTag(), v)) }
-  /// From storage.
+  /// From storage, which has the alignment that a compiler without these registers gives it.
   HWY_INLINE Floats(const Lanes& v) {
     const float* from = reinterpret_cast<const float*>(&v);
-    HAIR_PARTS(part[p] = hn::Load(FloatTag(), from + p * kPerPart))
+    HAIR_PARTS(part[p] = hn::LoadU(FloatTag(), from + p * kPerPart))
   }
 };
 
@@ -85,7 +85,7 @@ HWY_INLINE void store(Ints v, std::int32_t* to) {
   HAIR_PARTS(hn::StoreU(v.part[p], IntTag(), to + p * kPerPart))
 }
 HWY_INLINE void store(Floats v, Lanes& to) {
-  HAIR_PARTS(hn::Store(v.part[p], FloatTag(), reinterpret_cast<float*>(&to) + p * kPerPart))
+  HAIR_PARTS(hn::StoreU(v.part[p], FloatTag(), reinterpret_cast<float*>(&to) + p * kPerPart))
 }
 
 #define HAIR_BINARY(Type, name, op)                          \
@@ -250,6 +250,43 @@ HWY_INLINE std::size_t compress(Ints v, Mask m, std::int32_t* to) {
   HAIR_PARTS(n += hn::CompressStore(v.part[p], hn::RebindMask(IntTag(), m.part[p]), IntTag(),
                                     to + n))
   return n;
+}
+
+/// Part i of a and b one after the other.
+HWY_INLINE hn::Vec<FloatTag> partOf(const Floats& a, const Floats& b, std::size_t i) {
+  return i < kParts ? a.part[i] : b.part[i - kParts];
+}
+/// Lanes 0, 2, 4 ... of a, then those of b.
+HWY_INLINE Floats evenLanes(Floats a, Floats b) {
+  Floats r;
+#if HWY_TARGET == HWY_SCALAR
+  HAIR_PARTS(r.part[p] = partOf(a, b, 2 * p))
+#else
+  HAIR_PARTS(r.part[p] = hn::ConcatEven(FloatTag(), partOf(a, b, 2 * p + 1), partOf(a, b, 2 * p)))
+#endif
+  return r;
+}
+/// Lanes 1, 3, 5 ... of a, then those of b.
+HWY_INLINE Floats oddLanes(Floats a, Floats b) {
+  Floats r;
+#if HWY_TARGET == HWY_SCALAR
+  HAIR_PARTS(r.part[p] = partOf(a, b, 2 * p + 1))
+#else
+  HAIR_PARTS(r.part[p] = hn::ConcatOdd(FloatTag(), partOf(a, b, 2 * p + 1), partOf(a, b, 2 * p)))
+#endif
+  return r;
+}
+/// Sixteen times sixteen values: lane l of row r becomes lane r of row l.
+HWY_INLINE void transpose(Floats (&rows)[kLanes]) {
+  // Each round takes the lowest bit of the lane's number and makes it the highest of the row's.
+  for (std::size_t bit = 1; bit < kLanes; bit *= 2) {
+    Floats r[kLanes];
+    for (std::size_t i = 0; i < kLanes / 2; ++i) {
+      r[i] = evenLanes(rows[2 * i], rows[2 * i + 1]);
+      r[i + kLanes / 2] = oddLanes(rows[2 * i], rows[2 * i + 1]);
+    }
+    for (std::size_t i = 0; i < kLanes; ++i) rows[i] = r[i];
+  }
 }
 
 /// exp(-x) for x >= 0: the bits of expMinusApproximate.
