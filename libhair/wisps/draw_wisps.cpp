@@ -40,11 +40,9 @@ struct Strand {
   }
 
   std::size_t blockAt(std::size_t k) const { return n > kLanes ? std::min(k, n - kLanes) : 0; }
-  // Lanes of a block at k that are points after the root: those that may move.
-  HWY_INLINE Mask movable(std::size_t k) const {
-    Mask m = firstLanes(n);
-    if (k == 0) m = m & !firstLanes(1);
-    return m;
+  // Lanes of a block at k that are points from `from` on.
+  HWY_INLINE Mask lanesFrom(std::size_t from, std::size_t k) const {
+    return firstLanes(n) & !firstLanes(from > k ? from - k : 0);
   }
 
   // The samples that sixteen points follow.
@@ -126,10 +124,9 @@ struct Strand {
     return obstacles.near[main];
   }
 
-  // Which points are nearer to an obstacle than they may be.
-  HWY_INLINE Mask inside(std::size_t k, const Block& block) const {
+  // Which of the points of `look` are nearer to an obstacle than they may be.
+  HWY_INLINE Mask inside(std::size_t k, Mask look, const Block& block) const {
     const At a = at(k);
-    const Mask look = movable(k);
     const Vec3 away = block.point - block.main;
     const Floats stray2 = dot(away, away);
     Mask in = none();
@@ -205,7 +202,7 @@ struct Strand {
       }
       // Twice: out of one collider may be into its neighbour.
       for (int round = 0; round < 2; ++round) {
-        const Mask in = inside(k, block);
+        const Mask in = inside(k, lanesFrom(start, k), block);
         if (!any(in)) break;
         pushOnce(in, block);
       }
@@ -215,12 +212,14 @@ struct Strand {
 
   HWY_INLINE void draw(glm::vec3* points) const {
     const bool free = obstacles.none();
-    for (std::size_t k = 0; k < n; k += kLanes) {
+    // The root stays where it is.
+    std::size_t from = 1;
+    for (std::size_t k = 0; k < n; k += kLanes, from = k) {
       k = blockAt(k);
       const Block block = multi(k);
       storeBlock(block.point, points + k);
       if (free) continue;
-      if (const std::uint32_t in = bits(inside(k, block)))
+      if (const std::uint32_t in = bits(inside(k, lanesFrom(from, k), block)))
         return avoid(k + static_cast<std::size_t>(__builtin_ctz(in)), points);
     }
   }

@@ -41,10 +41,14 @@ void measureRoom(const GuideCurves& curves, float clearance, std::size_t guide,
     Floats toHead(1.0f), toBody(WispObstacles::kReach);
     if (obstacles.head) {
       const HeadLookup head(obstacles);
-      // The bound is one on what the grid says here. The grid itself may be wrong by a cell far
-      // from the surface.
-      toHead = head.sdf.lowerBound(head.inHead(p), used) -
-               Floats(obstacles.head->field().cell + clearance);
+      const Vec3 q = head.inHead(p);
+      toHead = head.sdf.distance(q, used);
+      // What the grid may be wrong by: little near the surface, a cell far from it (MeshSdf).
+      const float cell = obstacles.head->field().cell;
+      const Mask close = toHead < Floats(2.0f * cell);
+      toHead = select(close, toHead - Floats(0.25f * cell),
+                      max(toHead - Floats(cell), Floats(1.75f * cell)));
+      toHead = toHead - Floats(clearance);
     }
     for (std::uint64_t rest = obstacles.near[guide]; rest != 0; rest &= rest - 1) {
       const int c = __builtin_ctzll(rest);
