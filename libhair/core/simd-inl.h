@@ -183,6 +183,17 @@ HWY_INLINE Mask firstLanes(std::size_t n) {
   return r;
 }
 HWY_INLINE Mask none() { return firstLanes(0); }
+/// Lane l where bit l is set.
+HWY_INLINE Mask maskOf(std::uint32_t bits) {
+  Mask r;
+  for (std::size_t p = 0; p < kParts; ++p) {
+    const std::uint32_t part = bits >> (p * kPerPart);
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(part),
+                                   static_cast<std::uint8_t>(part >> 8)};
+    r.part[p] = hn::LoadMaskBits(FloatTag(), bytes);
+  }
+  return r;
+}
 /// 0, 1, 2 ... 15.
 HWY_INLINE Ints laneNumbers() {
   Ints r;
@@ -303,6 +314,36 @@ HWY_INLINE Floats expMinusApproximate(Floats x) {
   e = e * (r * r) - r + 1.0f;
   const Ints exponent = shiftLeft<23>(Ints(127) - truncate(n));
   return min(e * asFloats(exponent), Floats(1.0f));
+}
+
+/// The bits of the scalar functions of the same names.
+HWY_INLINE Floats exp2Approximate(Floats x) {
+  x = min(max(x, Floats(-126.0f)), Floats(127.0f));
+  const Floats n = (x + 12582912.0f) - 12582912.0f;
+  const Floats f = x - n;
+  Floats p = 1.5252734e-5f;
+  p = p * f + 1.5403530e-4f;
+  p = p * f + 1.3333558e-3f;
+  p = p * f + 9.6181291e-3f;
+  p = p * f + 5.5504109e-2f;
+  p = p * f + 2.4022651e-1f;
+  p = p * f + 6.9314718e-1f;
+  p = p * f + 1.0f;
+  return p * asFloats(shiftLeft<23>(truncate(n) + Ints(127)));
+}
+HWY_INLINE Floats log2Approximate(Floats x) {
+  const Ints bits = asInts(x);
+  const Ints n = shiftRight<23>(bits - Ints(0x3f3504f3));
+  const Floats m = asFloats(bits - shiftLeft<23>(n));
+  const Floats z = (m - 1.0f) / (m + 1.0f);
+  const Floats zz = z * z;
+  const Floats series =
+      Floats(1.0f) + zz * (0.33333333f + zz * (0.2f + zz * (0.14285714f + zz * 0.1111f)));
+  return toFloats(n) + Floats(2.88539008f) * z * series;
+}
+HWY_INLINE Floats powApproximate(Floats x, Floats y) {
+  const Floats p = exp2Approximate(y * log2Approximate(max(x, Floats(1e-30f))));
+  return select(x <= 0.0f, Floats(0.0f), p);
 }
 
 /// Sixteen vectors side by side.
