@@ -40,10 +40,7 @@ using IntTag = hn::RebindToSigned<FloatTag>;
 inline constexpr std::size_t kPerPart = hn::MaxLanes(FloatTag());
 inline constexpr std::size_t kParts = kLanes / kPerPart;
 
-// clang-format off
-#define HAIR_PARTS(statement) \
-  for (std::size_t p = 0; p < kParts; ++p) { statement; }
-// clang-format on
+#define HAIR_EACH_PART for (std::size_t p = 0; p < kParts; ++p)
 
 /// One truth a lane.
 struct Mask {
@@ -53,107 +50,116 @@ struct Mask {
 struct Ints {
   hn::Vec<IntTag> part[kParts];
   Ints() = default;
-  HWY_INLINE Ints(std::int32_t v) { HAIR_PARTS(part[p] = hn::Set(IntTag(), v)) }
+  HWY_INLINE Ints(std::int32_t v) { HAIR_EACH_PART part[p] = hn::Set(IntTag(), v); }
 };
 
 struct Floats {
   hn::Vec<FloatTag> part[kParts];
   Floats() = default;
-  HWY_INLINE Floats(float v){HAIR_PARTS(part[p] = hn::Set(FloatTag(), v))}  /// From storage.
+  HWY_INLINE Floats(float v) { HAIR_EACH_PART part[p] = hn::Set(FloatTag(), v); }
+  /// From storage, which has the alignment that a compiler without these registers gives it.
   HWY_INLINE Floats(const Lanes& v) {
     const float* from = reinterpret_cast<const float*>(&v);
-    HAIR_PARTS(part[p] = hn::Load(FloatTag(), from + p * kPerPart))
+    HAIR_EACH_PART part[p] = hn::LoadU(FloatTag(), from + p * kPerPart);
   }
 };
 
 /// Memory of sixteen values, at any address.
 HWY_INLINE Floats loadFloats(const float* from) {
   Floats r;
-  HAIR_PARTS(r.part[p] = hn::LoadU(FloatTag(), from + p * kPerPart))
+  HAIR_EACH_PART r.part[p] = hn::LoadU(FloatTag(), from + p * kPerPart);
   return r;
 }
 HWY_INLINE Ints loadInts(const std::int32_t* from) {
   Ints r;
-  HAIR_PARTS(r.part[p] = hn::LoadU(IntTag(), from + p * kPerPart))
+  HAIR_EACH_PART r.part[p] = hn::LoadU(IntTag(), from + p * kPerPart);
   return r;
 }
-HWY_INLINE void store(Floats v, float* to){
-    HAIR_PARTS(hn::StoreU(v.part[p], FloatTag(), to + p * kPerPart))} HWY_INLINE
-    void store(Ints v, std::int32_t* to){
-        HAIR_PARTS(hn::StoreU(v.part[p], IntTag(), to + p * kPerPart))} HWY_INLINE
-    void store(Floats v, Lanes& to){
-        HAIR_PARTS(hn::Store(v.part[p], FloatTag(), reinterpret_cast<float*>(&to) + p * kPerPart))}
-#define HAIR_BINARY(Type, name, op)                      \
-  HWY_INLINE Type name(Type a, Type b) {                 \
-    Type r;                                              \
-    HAIR_PARTS(r.part[p] = hn::op(a.part[p], b.part[p])) \
-    return r;                                            \
-  }
-#define HAIR_UNARY(Type, name, op)            \
-  HWY_INLINE Type name(Type a) {              \
-    Type r;                                   \
-    HAIR_PARTS(r.part[p] = hn::op(a.part[p])) \
-    return r;                                 \
-  }
-HAIR_BINARY(Floats, operator+, Add) HAIR_BINARY(Floats, operator-, Sub)
-    HAIR_BINARY(Floats, operator*, Mul) HAIR_BINARY(Floats, operator/, Div)
-        HAIR_UNARY(Floats, operator-, Neg) HAIR_UNARY(Floats, sqrt, Sqrt)
-            HAIR_UNARY(Floats, abs, Abs) HAIR_BINARY(Ints, operator+, Add)
-                HAIR_BINARY(Ints, operator-, Sub) HAIR_BINARY(Ints, operator*, Mul)
-                    HAIR_BINARY(Ints, operator&, And) HAIR_BINARY(Ints, operator|, Or)
-                        HAIR_BINARY(Ints, min, Min) HAIR_BINARY(Ints, max, Max)
-                            HAIR_BINARY(Mask, operator&, And) HAIR_BINARY(Mask, operator|, Or)
-                                HAIR_UNARY(Mask, operator!, Not)
-#undef HAIR_BINARY
+HWY_INLINE void store(Floats v, float* to) {
+  HAIR_EACH_PART hn::StoreU(v.part[p], FloatTag(), to + p * kPerPart);
+}
+HWY_INLINE void store(Ints v, std::int32_t* to) {
+  HAIR_EACH_PART hn::StoreU(v.part[p], IntTag(), to + p * kPerPart);
+}
+HWY_INLINE void store(Floats v, Lanes& to) {
+  HAIR_EACH_PART hn::StoreU(v.part[p], FloatTag(), reinterpret_cast<float*>(&to) + p * kPerPart);
+}
+
+#define HAIR_BINARY(Type, name, op)                          \
+  HWY_INLINE Type name(Type a, Type b) {                     \
+    Type r;                                                  \
+    HAIR_EACH_PART r.part[p] = hn::op(a.part[p], b.part[p]); \
+    return r;                                                \
+  }                                                          \
+  static_assert(true)
+#define HAIR_UNARY(Type, name, op)                \
+  HWY_INLINE Type name(Type a) {                  \
+    Type r;                                       \
+    HAIR_EACH_PART r.part[p] = hn::op(a.part[p]); \
+    return r;                                     \
+  }                                               \
+  static_assert(true)
+HAIR_BINARY(Floats, operator+, Add);
+HAIR_BINARY(Floats, operator-, Sub);
+HAIR_BINARY(Floats, operator*, Mul);
+HAIR_BINARY(Floats, operator/, Div);
+HAIR_UNARY(Floats, operator-, Neg);
+HAIR_UNARY(Floats, sqrt, Sqrt);
+HAIR_UNARY(Floats, abs, Abs);
+HAIR_BINARY(Ints, operator+, Add);
+HAIR_BINARY(Ints, operator-, Sub);
+HAIR_BINARY(Ints, operator*, Mul);
+HAIR_BINARY(Ints, operator&, And);
+HAIR_BINARY(Ints, operator|, Or);
+HAIR_BINARY(Ints, min, Min);
+HAIR_BINARY(Ints, max, Max);
+HAIR_BINARY(Mask, operator&, And);
+HAIR_BINARY(Mask, operator|, Or);
+HAIR_UNARY(Mask, operator!, Not);
 #undef HAIR_UNARY
 
-#define HAIR_COMPARE(name, op)                           \
-  HWY_INLINE Mask name(Floats a, Floats b) {             \
-    Mask r;                                              \
-    HAIR_PARTS(r.part[p] = hn::op(a.part[p], b.part[p])) \
-    return r;                                            \
-  }
-#define HAIR_COMPARE_INTS(name, op)                                                  \
-  HWY_INLINE Mask name(Ints a, Ints b) {                                             \
-    Mask r;                                                                          \
-    HAIR_PARTS(r.part[p] = hn::RebindMask(FloatTag(), hn::op(a.part[p], b.part[p]))) \
-    return r;                                                                        \
-  }
-                                    HAIR_COMPARE(operator<, Lt) HAIR_COMPARE(operator<=, Le)
-                                        HAIR_COMPARE(operator>, Gt) HAIR_COMPARE(operator>=, Ge)
-                                            HAIR_COMPARE(operator==, Eq)
-                                                HAIR_COMPARE_INTS(operator<, Lt)
-                                                    HAIR_COMPARE_INTS(operator>, Gt)
-                                                        HAIR_COMPARE_INTS(operator==, Eq)
+#define HAIR_COMPARE(name, op)                               \
+  HWY_INLINE Mask name(Floats a, Floats b) {                 \
+    Mask r;                                                  \
+    HAIR_EACH_PART r.part[p] = hn::op(a.part[p], b.part[p]); \
+    return r;                                                \
+  }                                                          \
+  static_assert(true)
+#define HAIR_COMPARE_INTS(name, op)                                                      \
+  HWY_INLINE Mask name(Ints a, Ints b) {                                                 \
+    Mask r;                                                                              \
+    HAIR_EACH_PART r.part[p] = hn::RebindMask(FloatTag(), hn::op(a.part[p], b.part[p])); \
+    return r;                                                                            \
+  }                                                                                      \
+  static_assert(true)
+HAIR_COMPARE(operator<, Lt);
+HAIR_COMPARE(operator<=, Le);
+HAIR_COMPARE(operator>, Gt);
+HAIR_COMPARE(operator>=, Ge);
+HAIR_COMPARE(operator==, Eq);
+HAIR_COMPARE_INTS(operator<, Lt);
+HAIR_COMPARE_INTS(operator>, Gt);
+HAIR_COMPARE_INTS(operator==, Eq);
 #undef HAIR_COMPARE
 #undef HAIR_COMPARE_INTS
 
-                                                            HWY_INLINE Floats
-    select(Mask m, Floats yes, Floats no) {
+HWY_INLINE Floats select(Mask m, Floats yes, Floats no) {
   Floats r;
-  HAIR_PARTS(r.part[p] = hn::IfThenElse(m.part[p], yes.part[p], no.part[p]))
+  HAIR_EACH_PART r.part[p] = hn::IfThenElse(m.part[p], yes.part[p], no.part[p]);
   return r;
 }
 HWY_INLINE Ints select(Mask m, Ints yes, Ints no) {
   Ints r;
-  HAIR_PARTS(r.part[p] =
-                 hn::IfThenElse(hn::RebindMask(IntTag(), m.part[p]), yes.part[p], no.part[p]))
+  HAIR_EACH_PART r.part[p] =
+      hn::IfThenElse(hn::RebindMask(IntTag(), m.part[p]), yes.part[p], no.part[p]);
   return r;
 }
 /// As std::min and std::max of scalars: b where they cannot be compared, and no signed zeros are
 /// told apart.
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 // Just what these instructions do.
-HWY_INLINE Floats min(Floats a, Floats b) {
-  Floats r;
-  HAIR_PARTS(r.part[p] = hn::Min(a.part[p], b.part[p]))
-  return r;
-}
-HWY_INLINE Floats max(Floats a, Floats b) {
-  Floats r;
-  HAIR_PARTS(r.part[p] = hn::Max(a.part[p], b.part[p]))
-  return r;
-}
+HAIR_BINARY(Floats, min, Min);
+HAIR_BINARY(Floats, max, Max);
 #else
 HWY_INLINE Floats min(Floats a, Floats b) {
   return select(a < b, a, b);
@@ -166,53 +172,79 @@ HWY_INLINE Floats max(Floats a, Floats b) {
 HWY_INLINE Ints minUnsigned(Ints a, Ints b) {
   const hn::RebindToUnsigned<IntTag> u;
   Ints r;
-  HAIR_PARTS(r.part[p] = hn::BitCast(IntTag(),
-                                     hn::Min(hn::BitCast(u, a.part[p]), hn::BitCast(u, b.part[p]))))
+  HAIR_EACH_PART r.part[p] =
+      hn::BitCast(IntTag(), hn::Min(hn::BitCast(u, a.part[p]), hn::BitCast(u, b.part[p])));
   return r;
 }
+/// The least and the greatest of the lanes.
+HWY_INLINE float lowest(Floats a) {
+  auto r = a.part[0];
+  HAIR_EACH_PART r = hn::Min(r, a.part[p]);
+  return hn::GetLane(hn::MinOfLanes(FloatTag(), r));
+}
+HWY_INLINE float highest(Floats a) {
+  auto r = a.part[0];
+  HAIR_EACH_PART r = hn::Max(r, a.part[p]);
+  return hn::GetLane(hn::MaxOfLanes(FloatTag(), r));
+}
+#undef HAIR_BINARY
 
 HWY_INLINE bool any(Mask m) {
   bool r = false;
-  HAIR_PARTS(r |= !hn::AllFalse(FloatTag(), m.part[p]))
+  HAIR_EACH_PART r |= !hn::AllFalse(FloatTag(), m.part[p]);
   return r;
 }
 HWY_INLINE bool all(Mask m) {
   bool r = true;
-  HAIR_PARTS(r &= hn::AllTrue(FloatTag(), m.part[p]))
+  HAIR_EACH_PART r &= hn::AllTrue(FloatTag(), m.part[p]);
   return r;
 }
 /// Bit l is lane l.
 HWY_INLINE std::uint32_t bits(Mask m) {
   std::uint32_t r = 0;
-  HAIR_PARTS(std::uint8_t b[8] = {}; hn::StoreMaskBits(FloatTag(), m.part[p], b);
-             r |= (std::uint32_t{b[0]} | std::uint32_t{b[1]} << 8) << (p * kPerPart))
+  HAIR_EACH_PART {
+    std::uint8_t b[8] = {};
+    hn::StoreMaskBits(FloatTag(), m.part[p], b);
+    r |= (std::uint32_t{b[0]} | std::uint32_t{b[1]} << 8) << (p * kPerPart);
+  }
   return r;
 }
 /// Lanes 0 to n - 1.
 HWY_INLINE Mask firstLanes(std::size_t n) {
   Mask r;
-  HAIR_PARTS(r.part[p] = hn::FirstN(FloatTag(), n > p * kPerPart ? n - p * kPerPart : 0))
+  HAIR_EACH_PART r.part[p] = hn::FirstN(FloatTag(), n > p * kPerPart ? n - p * kPerPart : 0);
   return r;
 }
 HWY_INLINE Mask none() {
   return firstLanes(0);
 }
+/// Lane l where bit l is set.
+HWY_INLINE Mask maskOf(std::uint32_t bits) {
+  Mask r;
+  for (std::size_t p = 0; p < kParts; ++p) {
+    const std::uint32_t part = bits >> (p * kPerPart);
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(part),
+                                   static_cast<std::uint8_t>(part >> 8)};
+    r.part[p] = hn::LoadMaskBits(FloatTag(), bytes);
+  }
+  return r;
+}
 /// 0, 1, 2 ... 15.
 HWY_INLINE Ints laneNumbers() {
   Ints r;
-  HAIR_PARTS(r.part[p] = hn::Iota(IntTag(), static_cast<std::int32_t>(p * kPerPart)))
+  HAIR_EACH_PART r.part[p] = hn::Iota(IntTag(), static_cast<std::int32_t>(p * kPerPart));
   return r;
 }
 
 HWY_INLINE Floats toFloats(Ints v) {
   Floats r;
-  HAIR_PARTS(r.part[p] = hn::ConvertTo(FloatTag(), v.part[p]))
+  HAIR_EACH_PART r.part[p] = hn::ConvertTo(FloatTag(), v.part[p]);
   return r;
 }
 /// Towards zero; |v| below 2^31.
 HWY_INLINE Ints truncate(Floats v) {
   Ints r;
-  HAIR_PARTS(r.part[p] = hn::ConvertTo(IntTag(), v.part[p]))
+  HAIR_EACH_PART r.part[p] = hn::ConvertTo(IntTag(), v.part[p]);
   return r;
 }
 HWY_INLINE Ints floorToInt(Floats v) {
@@ -222,36 +254,36 @@ HWY_INLINE Ints floorToInt(Floats v) {
 template <int kBits>
 HWY_INLINE Ints shiftLeft(Ints v) {
   Ints r;
-  HAIR_PARTS(r.part[p] = hn::ShiftLeft<kBits>(v.part[p]))
+  HAIR_EACH_PART r.part[p] = hn::ShiftLeft<kBits>(v.part[p]);
   return r;
 }
 /// Arithmetic: negative numbers stay negative.
 template <int kBits>
 HWY_INLINE Ints shiftRight(Ints v) {
   Ints r;
-  HAIR_PARTS(r.part[p] = hn::ShiftRight<kBits>(v.part[p]))
+  HAIR_EACH_PART r.part[p] = hn::ShiftRight<kBits>(v.part[p]);
   return r;
 }
 HWY_INLINE Floats asFloats(Ints v) {
   Floats r;
-  HAIR_PARTS(r.part[p] = hn::BitCast(FloatTag(), v.part[p]))
+  HAIR_EACH_PART r.part[p] = hn::BitCast(FloatTag(), v.part[p]);
   return r;
 }
 HWY_INLINE Ints asInts(Floats v) {
   Ints r;
-  HAIR_PARTS(r.part[p] = hn::BitCast(IntTag(), v.part[p]))
+  HAIR_EACH_PART r.part[p] = hn::BitCast(IntTag(), v.part[p]);
   return r;
 }
 
 /// from[index], each lane its own.
 HWY_INLINE Floats gather(const float* from, Ints index) {
   Floats r;
-  HAIR_PARTS(r.part[p] = hn::GatherIndex(FloatTag(), from, index.part[p]))
+  HAIR_EACH_PART r.part[p] = hn::GatherIndex(FloatTag(), from, index.part[p]);
   return r;
 }
 HWY_INLINE Ints gather(const std::int32_t* from, Ints index) {
   Ints r;
-  HAIR_PARTS(r.part[p] = hn::GatherIndex(IntTag(), from, index.part[p]))
+  HAIR_EACH_PART r.part[p] = hn::GatherIndex(IntTag(), from, index.part[p]);
   return r;
 }
 HWY_INLINE Ints gather(const std::uint32_t* from, Ints index) {
@@ -286,9 +318,11 @@ HWY_INLINE Pairs gatherPairs(const float* from, Ints index) {
 HWY_INLINE std::size_t compress(Ints v, Mask m, std::int32_t* to) {
   std::size_t n = 0;
   // In a register first: compressing into memory is slow.
-  HAIR_PARTS(const auto part = hn::RebindMask(IntTag(), m.part[p]);
-             hn::StoreU(hn::Compress(v.part[p], part), IntTag(), to + n);
-             n += hn::CountTrue(IntTag(), part))
+  for (std::size_t p = 0; p < kParts; ++p) {
+    const auto part = hn::RebindMask(IntTag(), m.part[p]);
+    hn::StoreU(hn::Compress(v.part[p], part), IntTag(), to + n);
+    n += hn::CountTrue(IntTag(), part);
+  }
   return n;
 }
 
@@ -310,6 +344,36 @@ HWY_INLINE Floats expMinusApproximate(Floats x) {
   return min(e * asFloats(exponent), Floats(1.0f));
 }
 
+/// The bits of the scalar functions of the same names.
+HWY_INLINE Floats exp2Approximate(Floats x) {
+  x = min(max(x, Floats(-126.0f)), Floats(127.0f));
+  const Floats n = (x + 12582912.0f) - 12582912.0f;
+  const Floats f = x - n;
+  Floats p = 1.5252734e-5f;
+  p = p * f + 1.5403530e-4f;
+  p = p * f + 1.3333558e-3f;
+  p = p * f + 9.6181291e-3f;
+  p = p * f + 5.5504109e-2f;
+  p = p * f + 2.4022651e-1f;
+  p = p * f + 6.9314718e-1f;
+  p = p * f + 1.0f;
+  return p * asFloats(shiftLeft<23>(truncate(n) + Ints(127)));
+}
+HWY_INLINE Floats log2Approximate(Floats x) {
+  const Ints bits = asInts(x);
+  const Ints n = shiftRight<23>(bits - Ints(0x3f3504f3));
+  const Floats m = asFloats(bits - shiftLeft<23>(n));
+  const Floats z = (m - 1.0f) / (m + 1.0f);
+  const Floats zz = z * z;
+  const Floats series =
+      Floats(1.0f) + zz * (0.33333333f + zz * (0.2f + zz * (0.14285714f + zz * 0.1111f)));
+  return toFloats(n) + Floats(2.88539008f) * z * series;
+}
+HWY_INLINE Floats powApproximate(Floats x, Floats y) {
+  const Floats p = exp2Approximate(y * log2Approximate(max(x, Floats(1e-30f))));
+  return select(x <= 0.0f, Floats(0.0f), p);
+}
+
 /// Sixteen vectors side by side.
 struct Vec3 {
   Floats x, y, z;
@@ -327,14 +391,14 @@ HWY_INLINE void store(Vec3 v, LaneVec3& to) {
 HWY_INLINE Vec3 loadPoints(const glm::vec3* from) {
   Vec3 r;
   const float* xyz = &from->x;
-  HAIR_PARTS(hn::LoadInterleaved3(FloatTag(), xyz + 3 * p * kPerPart, r.x.part[p], r.y.part[p],
-                                  r.z.part[p]))
+  HAIR_EACH_PART hn::LoadInterleaved3(FloatTag(), xyz + 3 * p * kPerPart, r.x.part[p], r.y.part[p],
+                                      r.z.part[p]);
   return r;
 }
 HWY_INLINE void storePoints(Vec3 v, glm::vec3* to) {
   float* xyz = &to->x;
-  HAIR_PARTS(hn::StoreInterleaved3(v.x.part[p], v.y.part[p], v.z.part[p], FloatTag(),
-                                   xyz + 3 * p * kPerPart))
+  HAIR_EACH_PART hn::StoreInterleaved3(v.x.part[p], v.y.part[p], v.z.part[p], FloatTag(),
+                                       xyz + 3 * p * kPerPart);
 }
 
 HWY_INLINE Vec3 operator+(Vec3 a, Vec3 b) {
@@ -363,7 +427,7 @@ HWY_INLINE Vec3 rotate(const glm::mat3& m, Vec3 v) {
           m[0].z * v.x + m[1].z * v.y + m[2].z * v.z};
 }
 
-#undef HAIR_PARTS
+#undef HAIR_EACH_PART
 
 }  // namespace HWY_NAMESPACE
 }  // namespace hair

@@ -160,8 +160,9 @@ std::size_t hairBytes(const Hair& hair) {
          bytesOfAll(hair.workspace.bending.inverseD, hair.workspace.bending.below1,
                     hair.workspace.bending.below2, hair.workspace.heads, hair.workspace.capsules) +
          bytesOfAll(groom.guidePoints, groom.first, groom.parents, groom.weights, groom.offsets) +
-         bytesOfAll(w.points, w.curves.basis, w.curves.points, w.curves.frames, w.rootOffsets,
-                    w.clearance, w.nearBodies) +
+         bytesOfAll(w.points, w.curves.basis, w.curves.rows, w.curves.lower, w.curves.upper,
+                    w.rootOffsets, w.clearance, w.sampleTable, w.tableOf, w.obstacles.axes,
+                    w.obstacles.near, w.obstacles.room) +
          bytesOfAll(hair.repulsion.density, hair.repulsion.allowed, hair.repulsion.push) +
          bytesOfAll(hair.maps, hair.transmittance, hair.visibility, hair.colours, hair.capsules);
 }

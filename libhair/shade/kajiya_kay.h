@@ -52,8 +52,14 @@ struct Illumination {
 /// the lights: colours of one alone and another alone add up, less the ambient one.
 /// `out`: [pointCount] sRGB, bytes in memory R, G, B, A with A = 255.
 /// A strand of one point has no direction and is drawn in its ambient colour.
-/// Throws Error where arrays do not fit, and as lightSpaceOf does.
+/// Same bits on every instruction set, for any number of threads, and for strands alone. Throws
+/// Error where arrays do not fit, and as lightSpaceOf does.
 void shadeKajiyaKay(StrandView strands, const Illumination& illumination,
                     const KajiyaKaySettings& settings, std::span<std::uint32_t> out);
+
+/// Strands begin to end alone, on the calling thread; all arrays as above, [pointCount].
+void shadeKajiyaKay(StrandView strands, std::size_t begin, std::size_t end,
+                    const Illumination& illumination, const KajiyaKaySettings& settings,
+                    std::span<std::uint32_t> out);
 
 }  // namespace hair

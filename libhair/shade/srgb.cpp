@@ -18,7 +18,7 @@ SrgbTable::SrgbTable() {
     // The middle of the range of floats that share these bits.
     const auto low = static_cast<std::uint32_t>(b) << (23 - kMantissaBits);
     const float x = std::bit_cast<float>(start + low + (1u << (22 - kMantissaBits)));
-    bytes_[b] = static_cast<std::uint8_t>(std::lround(255.0f * srgbFromLinear(x)));
+    bytes_[b] = static_cast<std::int32_t>(std::lround(255.0f * srgbFromLinear(x)));
   }
   bytes_[0] = 0;
   bytes_[count] = 255;

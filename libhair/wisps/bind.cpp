@@ -105,8 +105,7 @@ Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
     const std::uint32_t n = groom.first[s + 1] - groom.first[s];
     for (std::uint32_t k = 0; k < n; ++k) {
       const std::size_t at = groom.first[s] + k;
-      const auto& frame =
-          wisps.curves.frames[groom.parents[s].x * wisps.curves.samples + wisps.sampleOf(k, n)];
+      const auto frame = wisps.curves.frame(groom.parents[s].x, wisps.sampleOf(k, n));
       groom.offsets[at] = frame.fromWorld(strands.points[at] - wisps.points[at]);
     }
   }

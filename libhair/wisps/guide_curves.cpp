@@ -1,6 +1,91 @@
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "libhair/wisps/guide_curves.cpp"
+#include <hwy/foreach_target.h>
+#include <libhair/core/simd-inl.h>
+
 #include <libhair/wisps/guide_curves.h>
 
-#include <algorithm>
+HWY_BEFORE_NAMESPACE();
+namespace hair {
+namespace HWY_NAMESPACE {
+
+// See transportNormal in lanes.h.
+HWY_INLINE Vec3 transportNormal(Vec3 v, Vec3 from, Vec3 to) {
+  const Vec3 h = from + to;
+  return v - (Floats(2.0f) * dot(v, to) / max(dot(h, h), Floats(1e-12f))) * h;
+}
+
+// The last sixteen samples of one row of sixteen guides, sample k at k % 16.
+using Ring = Lanes[kLanes];
+
+// Writes the ring, whose last sample is end - 1, to the rows of `used` guides. Where fewer samples
+// than sixteen are new, some are written again.
+HWY_INLINE void spill(const Ring& ring, std::uint32_t end, std::size_t used, std::size_t stride,
+                      float* row) {
+  if (end < kLanes) {
+    for (std::size_t l = 0; l < used; ++l)
+      for (std::uint32_t k = 0; k < end; ++k)
+        row[l * stride + k] = reinterpret_cast<const float*>(&ring[k])[l];
+    return;
+  }
+  Floats block[kLanes];
+  for (std::size_t i = 0; i < kLanes; ++i) block[i] = Floats(ring[(end + i) % kLanes]);
+  transpose(block);
+  for (std::size_t l = 0; l < used; ++l) store(block[l], row + l * stride + end - kLanes);
+}
+
+// Groups begin to end of the guides.
+void sampleGroups(const GuideStrands& guides, const glm::mat3& turn, std::size_t begin,
+                  std::size_t end, GuideCurves& curves) {
+  const std::uint32_t n = guides.pointsPerGuide(), samples = curves.samples;
+  const std::uint32_t window = std::min(n, 4u);
+  Ring rings[GuideCurves::kRows];
+  for (std::size_t group = begin; group < end; ++group) {
+    const std::size_t used = std::min(kLanes, guides.guideCount() - group * kLanes);
+    const LaneVec3* p = &guides.position[group * n];
+    const auto sampleAt = [&](std::uint32_t k) HWY_ATTR {
+      const GuideCurves::Sample& s = curves.basis[k];
+      Vec3 x = Floats(s.weights[0]) * Vec3(p[s.start]);
+      for (std::uint32_t w = 1; w < window; ++w)
+        x = x + Floats(s.weights[w]) * Vec3(p[s.start + w]);
+      return x;
+    };
+    Vec3 tangent = rotate(turn, Vec3(guides.rootTangent[group]));
+    Vec3 normal = rotate(turn, Vec3(guides.rootNormal[group]));
+    Vec3 before = sampleAt(0), here = before, lower = here, upper = here;
+    for (std::uint32_t k = 0; k < samples; ++k) {
+      const Vec3 next = k + 1 < samples ? sampleAt(k + 1) : here;
+      const Vec3 chord = next - before;
+      const Vec3 direction = (Floats(1.0f) / max(length(chord), Floats(1e-12f))) * chord;
+      normal = transportNormal(normal, tangent, direction);
+      // Transport keeps the right angle but for rounding, which would add up on long strands.
+      normal = normal - dot(normal, direction) * direction;
+      normal = (Floats(1.0f) / max(length(normal), Floats(1e-12f))) * normal;
+      tangent = direction;
+      lower = {min(lower.x, here.x), min(lower.y, here.y), min(lower.z, here.z)};
+      upper = {max(upper.x, here.x), max(upper.y, here.y), max(upper.z, here.z)};
+      const Floats row[GuideCurves::kRows] = {here.x,   here.y,    here.z,    normal.x, normal.y,
+                                              normal.z, tangent.x, tangent.y, tangent.z};
+      for (std::size_t c = 0; c < GuideCurves::kRows; ++c) store(row[c], rings[c][k % kLanes]);
+      if ((k + 1) % kLanes == 0 || k + 1 == samples)
+        for (std::size_t c = 0; c < GuideCurves::kRows; ++c)
+          spill(rings[c], k + 1, used, GuideCurves::kRows * samples,
+                curves.rows.data() + (group * kLanes * GuideCurves::kRows + c) * samples);
+      before = here;
+      here = next;
+    }
+    store(lower, curves.lower[group]);
+    store(upper, curves.upper[group]);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hair
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
@@ -8,6 +93,8 @@
 namespace hair {
 
 namespace {
+
+HWY_EXPORT(sampleGroups);
 
 // Weights on points i - 1 .. i + 2 at t in [0, 1] between points i and i + 1 of n. Beyond its ends
 // the strand goes on by reflection (p_-1 = 2 p_0 - p_1), folded into the weights that exist.
@@ -34,8 +121,7 @@ GuideCurves::Sample catmullRom(std::uint32_t i, float t, std::uint32_t n) {
 
 }  // namespace
 
-GuideCurves::GuideCurves(const GuideStrands& guides, std::uint32_t samples_, bool withFrames)
-    : samples(samples_) {
+GuideCurves::GuideCurves(const GuideStrands& guides, std::uint32_t samples_) : samples(samples_) {
   require(samples >= 2, "guide curves: ", samples, " samples a guide; a strand needs at least 2");
   const std::uint32_t n = guides.pointsPerGuide();
   basis.reserve(samples);
@@ -45,49 +131,19 @@ GuideCurves::GuideCurves(const GuideStrands& guides, std::uint32_t samples_, boo
     const std::uint32_t i = std::min(static_cast<std::uint32_t>(u), n - 2);
     basis.push_back(catmullRom(i, u - static_cast<float>(i), n));
   }
-  points.resize(guides.guideCount() * samples);
-  if (withFrames) frames.resize(points.size());
+  rows.resize(guides.guideCount() * kRows * samples + kLanes);
+  lower.resize(guides.groupCount());
+  upper.resize(guides.groupCount());
 }
 
 void sampleGuides(const GuideStrands& guides, GuideCurves& curves) {
-  const std::uint32_t n = guides.pointsPerGuide(), samples = curves.samples;
-  const std::uint32_t window = std::min(n, 4u);
   const glm::mat3 turn = glm::mat3_cast(guides.worldFromHead.rotation);
-  parallelFor(guides.groupCount(), 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t group = begin; group < end; ++group) {
-      const std::size_t used = std::min(kLanes, guides.guideCount() - group * kLanes);
-      const LaneVec3* p = &guides.position[group * n];
-      const auto sampleAt = [&](std::uint32_t k) {
-        const GuideCurves::Sample& s = curves.basis[k];
-        LaneVec3 x;
-        for (std::uint32_t w = 0; w < window; ++w) x = x + lanes(s.weights[w]) * p[s.start + w];
-        return x;
-      };
-      LaneVec3 tangent = rotate(turn, guides.rootTangent[group]);
-      LaneVec3 normal = rotate(turn, guides.rootNormal[group]);
-      LaneVec3 before = sampleAt(0), here = before;
-      for (std::uint32_t k = 0; k < samples; ++k) {
-        const LaneVec3 next = k + 1 < samples ? sampleAt(k + 1) : here;
-        for (std::size_t l = 0; l < used; ++l)
-          curves.points[(group * kLanes + l) * samples + k] = lane(here, l);
-        if (!curves.frames.empty()) {
-          const LaneVec3 chord = next - before;
-          const LaneVec3 direction = (1.0f / max(length(chord), lanes(1e-12f))) * chord;
-          normal = transportNormal(normal, tangent, direction);
-          // Transport keeps the right angle but for rounding, which would add up on long strands.
-          normal = normal - dot(normal, direction) * direction;
-          normal = (1.0f / max(length(normal), lanes(1e-12f))) * normal;
-          tangent = direction;
-          const LaneVec3 binormal = cross(tangent, normal);
-          for (std::size_t l = 0; l < used; ++l)
-            curves.frames[(group * kLanes + l) * samples + k] = {lane(normal, l), lane(binormal, l),
-                                                                 lane(tangent, l)};
-        }
-        before = here;
-        here = next;
-      }
-    }
+  const auto sample = HWY_DYNAMIC_DISPATCH(sampleGroups);
+  parallelFor(guides.groupCount(), 2, [&](std::size_t begin, std::size_t end) {
+    sample(guides, turn, begin, end, curves);
   });
 }
 
 }  // namespace hair
+
+#endif  // HWY_ONCE

@@ -11,6 +11,15 @@ namespace hair {
 /// section 3.1), sampled evenly in its parameter, with a frame carried along by parallel transport.
 /// Smoothing the few guides once is cheaper than smoothing every drawn strand, and the same, as
 /// both steps are linear.
+///
+/// A guide has nine rows, one a component, so that sixteen samples of one are one load:
+///
+///     guide 0   x           sample 0, sample 1, ... sample `samples` - 1
+///               y           sample 0, ...
+///               z
+///               normal x, y, z
+///               tangent x, y, z
+///     guide 1   x ...
 struct GuideCurves {
   /// Orthonormal; offsets of drawn strands are in it.
   struct Frame {
@@ -27,13 +36,38 @@ struct GuideCurves {
     float weights[4];
   };
 
-  std::uint32_t samples = 0;      ///< a guide
-  std::vector<Sample> basis;      ///< [samples]
-  std::vector<glm::vec3> points;  ///< [guideCount · samples], metres, guide after guide
-  std::vector<Frame> frames;      ///< [guideCount · samples]; empty if not asked for
+  /// Where the vectors of a guide begin among its rows, and how many rows there are.
+  static constexpr std::size_t kPoint = 0, kNormal = 3, kTangent = 6, kRows = 9;
+
+  std::uint32_t samples = 0;  ///< a guide
+  std::vector<Sample> basis;  ///< [samples]
+  /// [guideCount · kRows · samples], metres, world; and kLanes more that are never used, so that
+  /// sixteen values can be read from any place.
+  std::vector<float> rows;
+  /// [groupCount]; boxes of the points of a group's guides, metres.
+  std::vector<LaneVec3> lower, upper;
 
   /// Room for these guides at `samples` >= 2 a guide. Throws Error below that.
-  GuideCurves(const GuideStrands& guides, std::uint32_t samples, bool withFrames);
+  GuideCurves(const GuideStrands& guides, std::uint32_t samples);
+
+  std::size_t guideCount() const { return (rows.size() - kLanes) / (kRows * samples); }
+  const float* row(std::size_t guide, std::size_t component) const {
+    return rows.data() + (guide * kRows + component) * samples;
+  }
+  glm::vec3 point(std::size_t guide, std::uint32_t sample) const {
+    return vector(guide, kPoint, sample);
+  }
+  Frame frame(std::size_t guide, std::uint32_t sample) const {
+    const glm::vec3 normal = vector(guide, kNormal, sample),
+                    tangent = vector(guide, kTangent, sample);
+    return {normal, glm::cross(tangent, normal), tangent};
+  }
+
+ private:
+  glm::vec3 vector(std::size_t guide, std::size_t component, std::uint32_t sample) const {
+    const float* x = row(guide, component) + sample;
+    return {x[0], x[samples], x[2 * std::size_t{samples}]};
+  }
 };
 
 /// Samples all guides where they are now. Threads over groups of guides.

@@ -7,6 +7,7 @@
 #include <libhair/guides/contact.h>
 #include <libhair/model/groom.h>
 #include <libhair/wisps/guide_curves.h>
+#include <libhair/wisps/obstacles.h>
 
 namespace hair {
 
@@ -32,7 +33,9 @@ struct Wisps {
   /// Sample of the guide curves that point k of a strand of n points follows: the nearest, exact
   /// where strand and curves have as many points.
   std::uint32_t sampleOf(std::uint32_t k, std::uint32_t n) const {
-    return n == curves.samples ? k : (2 * k * (curves.samples - 1) + (n - 1)) / (2 * (n - 1));
+    const std::uint64_t last = n - 1;
+    return static_cast<std::uint32_t>((2 * std::uint64_t{k} * (curves.samples - 1) + last) /
+                                      (2 * last));
   }
 
   const Groom* groom;
@@ -42,14 +45,26 @@ struct Wisps {
   /// [strandCount]; where the root sits in the frame at its main guide's root, metres: the offset
   /// that single-strand interpolation keeps along the whole strand.
   std::vector<glm::vec3> rootOffsets;
-  std::vector<float> clearance;           ///< [strandCount], metres to the head
-  std::vector<std::uint64_t> nearBodies;  ///< [guideCount], scratch: bit c = near capsule c
+  std::vector<float> clearance;  ///< [strandCount], metres to the head
+  /// sampleOf(k, n) of every k at [tableOf[n] + k], for each n that strands have; and kLanes more.
+  std::vector<std::int32_t> sampleTable;
+  std::vector<std::uint32_t> tableOf;  ///< [longest strand + 1]
+  WispObstacles obstacles;             ///< scratch of the frame
 };
 
 /// Guides to drawn strands. For each strand, multi-strand interpolation (Groom); where a point
 /// would be inside a collider, single-strand interpolation from a few points above it to the tip;
 /// and what is inside even then is put on the surface. Colliders are where they stand at the end of
-/// the frame. Threads over strands; writes wisps.points. At most 64 capsules.
+/// the frame. Writes wisps.points: prepareWisps, then drawWisps of all strands. Same bits on every
+/// instruction set and for any number of threads. Throws Error for more than 64 capsules.
 void interpolateWisps(const GuideStrands& guides, const ColliderState& colliders, Wisps& wisps);
+
+/// What a frame does once: samples the guides, and finds out which obstacles are near. Threads over
+/// guides.
+void prepareWisps(const GuideStrands& guides, const ColliderState& colliders, Wisps& wisps);
+
+/// Draws strands begin to end with what prepareWisps left, on the calling thread: several threads
+/// may draw strands of their own at once. The head that it was given must still be there.
+void drawWisps(std::size_t begin, std::size_t end, Wisps& wisps);
 
 }  // namespace hair

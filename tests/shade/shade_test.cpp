@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
+#include <libhair/core/instruction_set.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
 #include <libhair/shade/kajiya_kay.h>
@@ -230,6 +231,76 @@ TEST(KajiyaKay, HasTheSameBitsForAnyThreadCountAndForStrandsAlone) {
     const auto colours = shadeAll(alone, {}, settings);
     for (std::size_t k = 0; k < colours.size(); ++k)
       ASSERT_EQ(colours[k], together[strands.first[s] + k]);
+  }
+}
+
+// Strands of the lengths at which blocks of sixteen begin and end.
+StrandSet ofManyLengths() {
+  StrandSet strands;
+  for (std::uint32_t s = 0; s < 300; ++s) {
+    constexpr std::uint32_t kCounts[] = {2, 15, 16, 17, 33, 1, 130};
+    std::vector<glm::vec3> p;
+    for (std::uint32_t k = 0; k < kCounts[s % 7]; ++k)
+      p.push_back({uniform(s, k), uniform(s, k, 1), uniform(s, k, 2)});
+    strands.append(p);
+  }
+  return strands;
+}
+
+TEST(KajiyaKay, IsWhatThePlainFormulaSays) {
+  const StrandSet strands = ofManyLengths();
+  const KajiyaKaySettings look;
+  WhiteLight light{glm::normalize(glm::vec3(1, -2, 0.5f)), {0.3f, 3, 2}};
+  KajiyaKaySettings same = look;
+  same.variation = 0;
+  const auto colours = shadeAll(strands, light, same);
+  for (std::size_t s = 0; s < strands.strandCount(); ++s) {
+    const auto p = strands.strand(s);
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const glm::dvec3 t(p[std::min(k + 1, p.size() - 1)] - p[k > 0 ? k - 1 : 0]);
+      glm::dvec3 own(look.ambient);
+      double white = 0;
+      if (glm::length(t) > 0) {
+        const double a = std::acos(glm::dot(glm::normalize(t), -glm::dvec3(light.direction)));
+        const double b = std::acos(
+            glm::dot(glm::normalize(t), glm::normalize(glm::dvec3(light.eye) - glm::dvec3(p[k]))));
+        const auto peak = [&](double shift, double exponent) {
+          return std::pow(std::max(std::cos(a + b - 3.14159265358979 - shift), 0.0), exponent);
+        };
+        own += look.diffuse * std::sin(a) +
+               look.secondSpecular * peak(look.secondShift, look.secondExponent);
+        white = look.specular * peak(look.firstShift, look.exponent);
+      }
+      const float u = p.size() > 1 ? static_cast<float>(k) / static_cast<float>(p.size() - 1) : 0;
+      const glm::vec3 expected =
+          glm::vec3(own) * glm::mix(look.rootColour, look.tipColour, u) + glm::vec3(float(white));
+      const std::uint32_t c = colours[strands.first[s] + k];
+      ASSERT_NEAR(red(c), 255 * srgbFromLinear(expected.x), 0.75) << s << ' ' << k;
+      ASSERT_NEAR(green(c), 255 * srgbFromLinear(expected.y), 0.75) << s << ' ' << k;
+      ASSERT_NEAR(blue(c), 255 * srgbFromLinear(expected.z), 0.75) << s << ' ' << k;
+    }
+  }
+}
+
+TEST(KajiyaKay, HasTheSameBitsOnEveryInstructionSetAndForRanges) {
+  const StrandSet strands = ofManyLengths();
+  std::vector<float> t, v;
+  for (std::uint32_t i = 0; i < 2 * strands.pointCount(); ++i)
+    t.push_back(uniform(i, 7)), v.push_back(uniform(i, 8));
+  const Light lights[] = {Light::parallel({1, -1, 0.3f}, {0.8f, 0.7f, 0.6f}),
+                          Light::point({0.5f, 1.5f, 0.5f}, {0.2f, 0.3f, 0.4f})};
+  const Illumination illumination{lights, glm::vec3(0), {0, 1, 3}, t, v};
+  std::vector<std::uint32_t> best;
+  for (const std::string_view name : instructionSets()) {
+    const InstructionSetLimit limit(name);
+    std::vector<std::uint32_t> out(strands.pointCount());
+    shadeKajiyaKay(strands, illumination, {}, out);
+    if (best.empty()) best = out;
+    EXPECT_EQ(out, best) << name;
+    std::fill(out.begin(), out.end(), 0u);
+    for (std::size_t s = 0; s < 300; s += 25)
+      shadeKajiyaKay(strands, s, s + 25, illumination, {}, out);
+    EXPECT_EQ(out, best) << name << ", in ranges";
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
+#include <libhair/core/instruction_set.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
 #include <libhair/files/strand_file.h>
@@ -81,13 +82,13 @@ TEST(Wisps, CurvesPassThroughGuidePointsAndStraightGuidesStayStraight) {
     groom.guidePoints.emplace_back(0.1f * std::cos(static_cast<float>(i)),
                                    0.1f * std::sin(static_cast<float>(i)), 1);
   const GuideStrands guides(groom, {});
-  GuideCurves curves(guides, 9, true);
+  GuideCurves curves(guides, 9);
   sampleGuides(guides, curves);
   for (std::uint32_t k = 0; k < 9; ++k)
-    EXPECT_LT(glm::distance(curves.points[k], glm::vec3(0.05f * static_cast<float>(k), 0, 0)),
+    EXPECT_LT(glm::distance(curves.point(0, k), glm::vec3(0.05f * static_cast<float>(k), 0, 0)),
               1e-7f);
   for (std::uint32_t i = 0; i < 5; ++i)
-    EXPECT_LT(glm::distance(curves.points[9 + 2 * i], groom.guidePoints[5 + i]), 1e-7f);
+    EXPECT_LT(glm::distance(curves.point(1, 2 * i), groom.guidePoints[5 + i]), 1e-7f);
 }
 
 TEST(Wisps, FramesStayOrthonormalAndDoNotTwist) {
@@ -99,12 +100,14 @@ TEST(Wisps, FramesStayOrthonormalAndDoNotTwist) {
     groom.guidePoints.emplace_back(0.1f * std::cos(a), 0.1f * std::sin(a), 0);
   }
   const GuideStrands guides(groom, {});
-  GuideCurves curves(guides, 100, true);
+  GuideCurves curves(guides, 100);
   sampleGuides(guides, curves);
-  for (const auto& f : curves.frames) {
+  const auto first = curves.frame(0, 0);
+  for (std::uint32_t k = 0; k < curves.samples; ++k) {
+    const auto f = curves.frame(0, k);
     EXPECT_NEAR(glm::dot(f.normal, f.tangent), 0, 1e-5f);
     EXPECT_NEAR(glm::length(f.normal), 1, 1e-5f);
-    EXPECT_NEAR(f.normal.z, curves.frames[0].normal.z, 1e-3f);
+    EXPECT_NEAR(f.normal.z, first.normal.z, 1e-3f);
   }
 }
 
@@ -149,6 +152,129 @@ TEST(Wisps, SameBitsForAnyThreadCount) {
   }
   EXPECT_EQ(results[0], results[1]);
   EXPECT_EQ(results[0], results[2]);
+}
+
+// Strands of the given numbers of points, again and again, on six guides that hang past a ball.
+struct Hanging {
+  Groom groom;
+  std::vector<Capsule> body{{{0, 0, 0}, {0, 0, 0}, 0.08f},
+                            {{0.05f, -0.2f, -0.1f}, {-0.02f, -0.25f, 0.1f}, 0.04f}};
+  ColliderState colliders{{}, {}, body, body, nullptr};
+
+  explicit Hanging(std::vector<std::uint32_t> counts) {
+    groom.pointsPerGuide = 12;
+    for (std::uint32_t g = 0; g < 6; ++g)
+      for (int i = 0; i < 12; ++i) {
+        const float t = static_cast<float>(i) / 11, a = 1.05f * static_cast<float>(g);
+        const float r = 0.03f + 0.08f * std::sin(3.14159265f * t);
+        groom.guidePoints.emplace_back(r * std::cos(a), 0.3f - 0.6f * t, r * std::sin(a));
+      }
+    for (std::uint32_t s = 0; s < 90; ++s) {
+      const std::uint32_t n = counts[s % counts.size()];
+      const float y = 0.5f * uniform(s, 1), z = 0.3f * uniform(s, 2);
+      groom.parents.emplace_back(s % 6, (s + 1 + s / 6) % 6, (s + 3) % 6);
+      groom.weights.emplace_back(1 - y - z, y, z);
+      for (std::uint32_t k = 0; k < n; ++k)
+        groom.offsets.push_back(0.01f * glm::vec3(uniform(s, k, 1), uniform(s, k, 2), 0));
+      groom.first.push_back(groom.first.back() + n);
+    }
+  }
+};
+
+// What interpolateWisps says it does, one point at a time, without a head.
+std::vector<glm::vec3> literalWisps(const Hanging& hanging, const Wisps& wisps) {
+  const Groom& groom = hanging.groom;
+  std::vector<glm::vec3> points(groom.pointCount());
+  const auto nearest = [&](glm::vec3 p) {
+    glm::vec4 best(0, 1, 0, 1e3f);
+    for (const Capsule& c : hanging.body) {
+      glm::vec4 d = distanceAndGradient(c, p);
+      d.w -= wisps.settings.clearance;
+      if (d.w < best.w) best = d;
+    }
+    return best;
+  };
+  for (std::size_t s = 0; s < groom.strandCount(); ++s) {
+    const std::uint32_t first = groom.first[s], n = groom.first[s + 1] - first;
+    const glm::uvec3 parents = groom.parents[s];
+    const auto at = [&](int j, std::uint32_t k) {
+      return wisps.curves.point(parents[j], wisps.sampleOf(k, n));
+    };
+    const auto turned = [&](std::uint32_t k, glm::vec3 v) {
+      return wisps.curves.frame(parents.x, wisps.sampleOf(k, n)).toWorld(v);
+    };
+    std::uint32_t hit = n;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const glm::vec3 w = groom.weights[s];
+      points[first + k] =
+          w.x * at(0, k) + w.y * at(1, k) + w.z * at(2, k) + turned(k, groom.offsets[first + k]);
+      if (k > 0 && hit == n && nearest(points[first + k]).w < 0) hit = k;
+    }
+    const std::uint32_t blend = wisps.settings.blendPoints, start = hit > blend ? hit - blend : 1;
+    for (std::uint32_t k = start; hit < n && k < n; ++k) {
+      const float t =
+          hit > start
+              ? std::min(1.0f, static_cast<float>(k - start) / static_cast<float>(hit - start))
+              : 1.0f;
+      const glm::vec3 single =
+          at(0, k) + turned(k, wisps.rootOffsets[s]) + turned(k, groom.offsets[first + k]);
+      glm::vec3& p = points[first + k];
+      p = glm::mix(p, single, t * t * (3 - 2 * t));
+      for (int round = 0; round < 2; ++round)
+        if (const glm::vec4 d = nearest(p); d.w < 0) p -= d.w * glm::vec3(d);
+    }
+  }
+  return points;
+}
+
+const std::vector<std::vector<std::uint32_t>> kCounts = {{2},  {15}, {16},
+                                                         {17}, {33}, {2, 15, 16, 17, 31, 33, 40}};
+
+TEST(Wisps, AreWhatThePlainFormulaSays) {
+  for (const auto& counts : kCounts) {
+    const Hanging hanging(counts);
+    const GuideStrands guides(hanging.groom, {});
+    Wisps wisps(hanging.groom, guides);
+    const auto free = wisps.points;
+    interpolateWisps(guides, hanging.colliders, wisps);
+    if (counts.back() > 2) {
+      EXPECT_GT(largestDifference(wisps.points, free), 0.01f) << "nothing is avoided";
+    }
+    EXPECT_LT(largestDifference(wisps.points, literalWisps(hanging, wisps)), 2e-6f)
+        << counts.front() << " points";
+    for (std::size_t s = 0; s < hanging.groom.strandCount(); ++s)
+      for (std::size_t k = hanging.groom.first[s] + 1; k < hanging.groom.first[s + 1]; ++k)
+        for (const Capsule& c : hanging.body)
+          ASSERT_GE(distanceAndGradient(c, wisps.points[k]).w, -1e-6f);
+  }
+}
+
+TEST(Wisps, SameBitsOnEveryInstructionSetForAnyThreadCountAndForRanges) {
+  const Hanging hanging(kCounts.back());
+  std::vector<glm::vec3> best;
+  for (const std::string_view name : instructionSets())
+    for (int threads : {1, 2, 7}) {
+      const InstructionSetLimit set(name);
+      const ThreadLimit limit(threads);
+      const GuideStrands guides(hanging.groom, {});
+      Wisps wisps(hanging.groom, guides);
+      interpolateWisps(guides, hanging.colliders, wisps);
+      if (best.empty()) best = wisps.points;
+      EXPECT_EQ(wisps.points, best) << name << ", " << threads << " threads";
+      std::fill(wisps.points.begin(), wisps.points.end(), glm::vec3(0));
+      prepareWisps(guides, hanging.colliders, wisps);
+      for (std::size_t s = 0; s < 90; s += 9) drawWisps(s, s + 9, wisps);
+      EXPECT_EQ(wisps.points, best) << name << ", in ranges";
+    }
+}
+
+TEST(Wisps, LongStrandsFollowTheirCurvesToTheTip) {
+  const Hanging hanging({70'000});
+  Groom groom = hanging.groom;
+  groom.first.resize(2), groom.parents.resize(1), groom.weights.resize(1), groom.offsets.clear();
+  const GuideStrands guides(groom, {});
+  const Wisps wisps(groom, guides);
+  for (std::uint32_t k : {0u, 1u, 46'341u, 69'999u}) EXPECT_EQ(wisps.sampleOf(k, 70'000), k);
 }
 
 TEST(Wisps, AGroomWhoseArraysDisagreeIsRefused) {
