@@ -326,6 +326,61 @@ HWY_INLINE std::size_t compress(Ints v, Mask m, std::int32_t* to) {
   return n;
 }
 
+/// Part i of a and b one after the other.
+HWY_INLINE hn::Vec<FloatTag> partOf(const Floats& a, const Floats& b, std::size_t i) {
+  return i < kParts ? a.part[i] : b.part[i - kParts];
+}
+/// Lanes 0, 2, 4 ... of a, then those of b.
+HWY_INLINE Floats evenLanes(Floats a, Floats b) {
+  Floats r;
+#if HWY_TARGET == HWY_SCALAR
+  HAIR_EACH_PART r.part[p] = partOf(a, b, 2 * p);
+#else
+  HAIR_EACH_PART r.part[p] =
+      hn::ConcatEven(FloatTag(), partOf(a, b, 2 * p + 1), partOf(a, b, 2 * p));
+#endif
+  return r;
+}
+/// Lanes 1, 3, 5 ... of a, then those of b.
+HWY_INLINE Floats oddLanes(Floats a, Floats b) {
+  Floats r;
+#if HWY_TARGET == HWY_SCALAR
+  HAIR_EACH_PART r.part[p] = partOf(a, b, 2 * p + 1);
+#else
+  HAIR_EACH_PART r.part[p] =
+      hn::ConcatOdd(FloatTag(), partOf(a, b, 2 * p + 1), partOf(a, b, 2 * p));
+#endif
+  return r;
+}
+/// Sixteen times sixteen values: lane l of row r becomes lane r of row l.
+HWY_INLINE void transpose(Floats (&rows)[kLanes]) {
+  // Each round takes the lowest bit of the lane's number and makes it the highest of the row's.
+  for (std::size_t bit = 1; bit < kLanes; bit *= 2) {
+    Floats r[kLanes];
+    for (std::size_t i = 0; i < kLanes / 2; ++i) {
+      r[i] = evenLanes(rows[2 * i], rows[2 * i + 1]);
+      r[i + kLanes / 2] = oddLanes(rows[2 * i], rows[2 * i + 1]);
+    }
+    for (std::size_t i = 0; i < kLanes; ++i) rows[i] = r[i];
+  }
+}
+
+/// exp(-x) for x >= 0: the bits of expMinusApproximate.
+HWY_INLINE Floats expMinusApproximate(Floats x) {
+  x = min(x, Floats(87.0f));
+  const Floats n = (x * 1.44269504f + 12582912.0f) - 12582912.0f;
+  const Floats r = (x - n * 0.693359375f) + n * 2.12194440e-4f;
+  Floats e = 1.9841270e-4f;
+  e = e * -r + 1.3888889e-3f;
+  e = e * -r + 8.3333333e-3f;
+  e = e * -r + 4.1666667e-2f;
+  e = e * -r + 1.6666667e-1f;
+  e = e * -r + 0.5f;
+  e = e * (r * r) - r + 1.0f;
+  const Ints exponent = shiftLeft<23>(Ints(127) - truncate(n));
+  return min(e * asFloats(exponent), Floats(1.0f));
+}
+
 /// exp(-x) for x >= 0: the bits of expMinusApproximate.
 HWY_INLINE Floats expMinusApproximate(Floats x) {
   x = min(x, Floats(87.0f));
