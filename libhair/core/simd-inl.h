@@ -60,10 +60,10 @@ struct Floats {
   hn::Vec<FloatTag> part[kParts];
   Floats() = default;
   HWY_INLINE Floats(float v) { HAIR_PARTS(part[p] = hn::Set(FloatTag(), v)) }
-  /// From storage.
+  /// From storage, which is aligned as the widest registers of the common code want it, no more.
   HWY_INLINE Floats(const Lanes& v) {
     const float* from = reinterpret_cast<const float*>(&v);
-    HAIR_PARTS(part[p] = hn::Load(FloatTag(), from + p * kPerPart))
+    HAIR_PARTS(part[p] = hn::LoadU(FloatTag(), from + p * kPerPart))
   }
 };
 
@@ -85,7 +85,7 @@ HWY_INLINE void store(Ints v, std::int32_t* to) {
   HAIR_PARTS(hn::StoreU(v.part[p], IntTag(), to + p * kPerPart))
 }
 HWY_INLINE void store(Floats v, Lanes& to) {
-  HAIR_PARTS(hn::Store(v.part[p], FloatTag(), reinterpret_cast<float*>(&to) + p * kPerPart))
+  HAIR_PARTS(hn::StoreU(v.part[p], FloatTag(), reinterpret_cast<float*>(&to) + p * kPerPart))
 }
 
 #define HAIR_BINARY(Type, name, op)                          \
@@ -117,7 +117,6 @@ HAIR_BINARY(Ints, max, Max)
 HAIR_BINARY(Mask, operator&, And)
 HAIR_BINARY(Mask, operator|, Or)
 HAIR_UNARY(Mask, operator!, Not)
-#undef HAIR_BINARY
 #undef HAIR_UNARY
 
 #define HAIR_COMPARE(name, op)                               \
@@ -156,8 +155,26 @@ HWY_INLINE Ints select(Mask m, Ints yes, Ints no) {
 }
 /// As std::min and std::max of scalars: b where they cannot be compared, and no signed zeros are
 /// told apart.
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+// What the instructions of x86 do.
+HAIR_BINARY(Floats, min, Min)
+HAIR_BINARY(Floats, max, Max)
+#else
 HWY_INLINE Floats min(Floats a, Floats b) { return select(a < b, a, b); }
 HWY_INLINE Floats max(Floats a, Floats b) { return select(a > b, a, b); }
+#endif
+/// The least and the greatest of the lanes.
+HWY_INLINE float lowest(Floats a) {
+  auto r = a.part[0];
+  HAIR_PARTS(r = hn::Min(r, a.part[p]))
+  return hn::GetLane(hn::MinOfLanes(FloatTag(), r));
+}
+HWY_INLINE float highest(Floats a) {
+  auto r = a.part[0];
+  HAIR_PARTS(r = hn::Max(r, a.part[p]))
+  return hn::GetLane(hn::MaxOfLanes(FloatTag(), r));
+}
+#undef HAIR_BINARY
 
 HWY_INLINE bool any(Mask m) {
   bool r = false;

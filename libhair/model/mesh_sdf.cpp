@@ -228,7 +228,7 @@ void windAlong(int axis, const Grid& grid, std::span<const Corners> triangles,
 }  // namespace
 
 MeshSdf::MeshSdf(const TriangleMesh& mesh, float cell, float margin)
-    : cell_(cell), margin_(margin) {
+    : cell_(cell), perCell_(1.0f / cell), margin_(margin) {
   require(!mesh.triangles.empty(), "signed distance field: the mesh has no triangles");
   require(cell > 0 && margin > 0, "signed distance field: cell (", cell, " m) and margin (", margin,
           " m) must be positive");
@@ -296,19 +296,17 @@ struct NodesAround {
 float MeshSdf::distance(glm::vec3 p) const {
   const glm::vec3 inBox = glm::clamp(p, box_.lower, box_.upper);
   if (inBox != p) return glm::distance(p, inBox) + margin_;
-  return NodesAround((p - box_.lower) / cell_, nodes_).mix(distances_);
+  return NodesAround((p - box_.lower) * perCell_, nodes_).mix(distances_);
 }
 
 glm::vec4 MeshSdf::distanceAndGradient(glm::vec3 p) const {
   const glm::vec3 inBox = glm::clamp(p, box_.lower, box_.upper);
-  if (inBox != p) {
-    const float d = glm::distance(p, inBox);
-    return {(p - inBox) / d, d + margin_};
-  }
-  const NodesAround around((p - box_.lower) / cell_, nodes_);
-  const glm::vec3 gradient = around.mix(gradients_);
-  const float length = glm::length(gradient);
-  return {length > 1e-6f ? gradient / length : glm::vec3(0, 1, 0), around.mix(distances_)};
+  const bool inside = inBox == p;
+  const NodesAround around((inBox - box_.lower) * perCell_, nodes_);
+  const glm::vec3 way = inside ? around.mix(gradients_) : p - inBox;
+  const float length = glm::length(way);
+  return {length > 1e-6f ? way * (1.0f / length) : glm::vec3(0, 1, 0),
+          inside ? around.mix(distances_) : length + margin_};
 }
 
 }  // namespace hair

@@ -28,7 +28,7 @@ class MeshSdf {
   float lowerBound(glm::vec3 p) const {
     const glm::vec3 inBox = glm::clamp(p, box_.lower, box_.upper);
     if (inBox != p) return margin_;
-    const glm::ivec3 i((p - box_.lower) / cell_ + 0.5f);
+    const glm::ivec3 i((p - box_.lower) * perCell_ + 0.5f);
     const std::size_t at = (static_cast<std::size_t>(i.z) * static_cast<std::size_t>(nodes_.y) +
                             static_cast<std::size_t>(i.y)) *
                                static_cast<std::size_t>(nodes_.x) +
@@ -42,9 +42,22 @@ class MeshSdf {
   /// What the grid covers, metres.
   const Bounds& box() const { return box_; }
 
+  /// Its arrays, for kernels that look up many points at once (mesh_sdf-inl.h).
+  struct Field {
+    Bounds box;
+    float cell, perCell, margin;
+    const float* distances;
+    const glm::vec3* gradients;
+  };
+  Field field() const {
+    return {box_, cell_, perCell_, margin_, distances_.data(), gradients_.data()};
+  }
+  /// Of the grid, an axis.
+  glm::ivec3 nodes() const { return nodes_; }
+
  private:
   Bounds box_;
-  float cell_, margin_;
+  float cell_, perCell_, margin_;
   glm::ivec3 nodes_;  ///< an axis
   // [nodes_.x · nodes_.y · nodes_.z], x fastest. Apart, as most look-ups end with the distance.
   std::vector<float> distances_;
