@@ -86,7 +86,7 @@ HWY_INLINE void solveBending(const BendingGroup& group, const RootFrame& root,
     if (i > 0) force[i] = force[i] + (inverseLength + inverseLengthBefore) * g;
     force[i + 1] = force[i + 1] - inverseLength * g;
     d = next, dThen = before[i];
-    now.over((Floats(1.0f) / max(length(d), Floats(1e-12f))) * d);
+    now.over(inverseSqrt(max(dot(d, d), Floats(1e-24f))) * d);
     then.over(dThen);
   }
   for (std::uint32_t i = links - 1; i <= links; ++i) {

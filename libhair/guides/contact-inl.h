@@ -145,7 +145,7 @@ HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& c
 /// everything gets a plane that never touches; false: all are, and only the distance is set.
 /// Colliders that `clearance` knows to be far are not looked at. `slack`: so many metres less than
 /// asked for need to be kept.
-HWY_NOINLINE bool nearestPlane(const Vec3& p, std::uint32_t index, const Floats& way,
+HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const Floats& way,
                                const Floats& headClearance, const Surroundings& around, float slack,
                                Clearance& clearance, ContactPlane& plane) {
   ContactPlane best{Vec3(glm::vec3(0)), -kFar, Vec3(glm::vec3(0)), kFar};

@@ -14,6 +14,9 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
+// Shorter links (their lengths squared, m²) have no direction.
+inline constexpr float kNoLength2 = 1e-18f;
+
 /// What a point may touch. Most touch nothing: `near` and `touched` spare them the work.
 struct Contact {
   ContactPlane plane;
@@ -48,8 +51,9 @@ HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
   Floats pivot = 0.0f, intoBefore = 0.0f;
   for (std::uint32_t i = 0; i < links; ++i) {
     const Vec3 e = x[i + 1] - x[i];
-    const Floats lengthNow = max(length(e), Floats(1e-9f));
-    d[i] = (Floats(1.0f) / lengthNow) * e;
+    const Floats length2 = max(dot(e, e), Floats(kNoLength2)), perLength = inverseSqrt(length2);
+    const Floats lengthNow = length2 * perLength;
+    d[i] = perLength * e;
     Floats a = inverseMass[i], b = inverseMass[i + 1], c = a;
     if (i > 0) {
       Floats turn = dot(d[i - 1], d[i]);
@@ -104,7 +108,7 @@ HWY_INLINE void finishLinks(std::uint32_t points, const Lanes* linkLength, const
   for (std::uint32_t i = 0; i + 1 < points; ++i) {
     const Floats l = linkLength[i];
     const Vec3 e = x[i + 1] - start;
-    Vec3 direction = (Floats(1.0f) / max(length(e), Floats(1e-9f))) * e;
+    Vec3 direction = inverseSqrt(max(dot(e, e), Floats(kNoLength2))) * e;
     Vec3 end = start + l * direction;
     if (contacts[i + 1].near) {
       const ContactPlane& plane = contacts[i + 1].plane;
