@@ -285,15 +285,6 @@ HWY_INLINE Floats expMinusApproximate(Floats x) {
   return min(e * asFloats(exponent), Floats(1.0f));
 }
 
-/// 1 / sqrt(x) for normal x > 0, to 2e-7 of it: three of Newton's steps from a guess that halves the
-/// exponent. A tenth of the time of a root and a division, which wait for one another.
-HWY_INLINE Floats inverseSqrt(Floats x) {
-  const Floats half = Floats(0.5f) * x;
-  Floats y = asFloats(Ints(0x5f3759df) - shiftRight<1>(asInts(x)));
-  for (int step = 0; step < 3; ++step) y = y * (Floats(1.5f) - half * y * y);
-  return y;
-}
-
 /// Sixteen vectors side by side.
 struct Vec3 {
   Floats x, y, z;

@@ -44,7 +44,9 @@ class CarriedFrame {
   /// at a right angle to the tangent.
   HWY_INLINE void over(const Vec3& to) {
     const Vec3 h = tangent_ + to;
-    normal_ = normal_ - (Floats(2.0f) * dot(normal_, to) / max(dot(h, h), Floats(1e-12f))) * h;
+    // The quotient first: it does not wait for the normal, which comes from joint to joint.
+    const Floats share = Floats(2.0f) / max(dot(h, h), Floats(1e-12f));
+    normal_ = normal_ - (share * dot(normal_, to)) * h;
     tangent_ = to;
     binormal_ = cross(tangent_, normal_);
   }
@@ -64,7 +66,8 @@ HWY_INLINE void solveBending(const BendingGroup& group, const RootFrame& root,
   CarriedFrame now(root), then(rootBefore);
   // d over the rest length, as E is quadratic in the points.
   Vec3 d = root.tangent, dThen = rootBefore.tangent;
-  // The right-hand side, f - grad E(x) - damping, and behind it the forward sweep. The root is fixed.
+  // The right-hand side, f - grad E(x) - damping, and behind it the forward sweep. The root is
+  // fixed.
   Vec3 last = zero, beforeLast = zero;
   Floats inverseLength = 0.0f;
   for (std::uint32_t i = 0; i < links; ++i) {
@@ -78,7 +81,8 @@ HWY_INLINE void solveBending(const BendingGroup& group, const RootFrame& root,
                    now.toWorld(strain + Floats(group.damping) * (bent - bentThen));
     // g_i pushes on link i, and back on link i - 1. With that, point i - 1 has all of its force.
     if (i > 1) {
-      const Vec3 swept = (force[i - 1] - inverseLengthBefore * g) - Floats(group.below1[i - 1]) * last -
+      const Vec3 swept = (force[i - 1] - inverseLengthBefore * g) -
+                         Floats(group.below1[i - 1]) * last -
                          Floats(group.below2[i - 1]) * beforeLast;
       force[i - 1] = swept;
       beforeLast = last, last = swept;
@@ -86,11 +90,12 @@ HWY_INLINE void solveBending(const BendingGroup& group, const RootFrame& root,
     if (i > 0) force[i] = force[i] + (inverseLength + inverseLengthBefore) * g;
     force[i + 1] = force[i + 1] - inverseLength * g;
     d = next, dThen = before[i];
-    now.over(inverseSqrt(max(dot(d, d), Floats(1e-24f))) * d);
+    now.over((Floats(1.0f) / max(length(d), Floats(1e-12f))) * d);
     then.over(dThen);
   }
   for (std::uint32_t i = links - 1; i <= links; ++i) {
-    const Vec3 swept = force[i] - Floats(group.below1[i]) * last - Floats(group.below2[i]) * beforeLast;
+    const Vec3 swept =
+        force[i] - Floats(group.below1[i]) * last - Floats(group.below2[i]) * beforeLast;
     force[i] = swept;
     beforeLast = last, last = swept;
   }
@@ -98,7 +103,8 @@ HWY_INLINE void solveBending(const BendingGroup& group, const RootFrame& root,
   Vec3 after = zero, afterNext = zero;
   Floats below1 = 0.0f, below2 = 0.0f, below2After = 0.0f;
   for (std::uint32_t i = links; i >= 1; --i) {
-    const Vec3 move = Floats(group.inverseD[i]) * force[i] - below1 * after - below2After * afterNext;
+    const Vec3 move =
+        Floats(group.inverseD[i]) * force[i] - below1 * after - below2After * afterNext;
     x[i] = x[i] + move;
     below2After = below2, below2 = group.below2[i], below1 = group.below1[i];
     afterNext = after, after = move;

@@ -146,8 +146,8 @@ HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& c
 /// Colliders that `clearance` knows to be far are not looked at. `slack`: so many metres less than
 /// asked for need to be kept.
 HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const Floats& way,
-                               const Floats& headClearance, const Surroundings& around, float slack,
-                               Clearance& clearance, ContactPlane& plane) {
+                                      const Floats& headClearance, const Surroundings& around,
+                                      float slack, Clearance& clearance, ContactPlane& plane) {
   ContactPlane best{Vec3(glm::vec3(0)), -kFar, Vec3(glm::vec3(0)), kFar};
   bool found = false;
   if (any(clearance.body < Floats(kFarEnough))) {

@@ -73,9 +73,9 @@ class GuideStrands {
   std::vector<LaneVec3>
       curvature;  ///< [groupCount · linksPerGuide], c_i in the frame of link i - 1
   std::vector<Lanes> jointStiffness;  ///< [groupCount · linksPerGuide], kappa_i per linear density
-  std::vector<Lanes> pointMass;  ///< [groupCount · pointsPerGuide], per linear density (metres)
+  std::vector<Lanes> pointMass;    ///< [groupCount · pointsPerGuide], per linear density (metres)
   std::vector<Lanes> inverseMass;  ///< [groupCount · pointsPerGuide], 1 / pointMass; root: 0
-  std::vector<Lanes> clearance;  ///< [groupCount · pointsPerGuide], least distance to the head
+  std::vector<Lanes> clearance;    ///< [groupCount · pointsPerGuide], least distance to the head
 
  private:
   std::size_t guideCount_;

@@ -14,9 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// Shorter links (their lengths squared, m²) have no direction.
-inline constexpr float kNoLength2 = 1e-18f;
-
 /// What a point may touch. Most touch nothing: `near` and `touched` spare them the work.
 struct Contact {
   ContactPlane plane;
@@ -51,29 +48,29 @@ HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
   Floats pivot = 0.0f, intoBefore = 0.0f;
   for (std::uint32_t i = 0; i < links; ++i) {
     const Vec3 e = x[i + 1] - x[i];
-    const Floats length2 = max(dot(e, e), Floats(kNoLength2)), perLength = inverseSqrt(length2);
-    const Floats lengthNow = length2 * perLength;
-    d[i] = perLength * e;
+    const Floats lengthNow = max(length(e), Floats(1e-9f));
+    d[i] = (Floats(1.0f) / lengthNow) * e;
     Floats a = inverseMass[i], b = inverseMass[i + 1], c = a;
     if (i > 0) {
       Floats turn = dot(d[i - 1], d[i]);
       if (contacts[i].touched) {
-        const Floats into = select(contacts[i].touching, dot(contacts[i].plane.normal, d[i]),
-                                   Floats(0.0f));
+        const Floats into =
+            select(contacts[i].touching, dot(contacts[i].plane.normal, d[i]), Floats(0.0f));
         turn = turn - slide * (intoBefore * into);
         a = a - a * (slide * (into * into));
       }
       c = c * turn;
     }
     if (contacts[i + 1].touched) {
-      intoBefore = select(contacts[i + 1].touching, dot(contacts[i + 1].plane.normal, d[i]),
-                          Floats(0.0f));
+      intoBefore =
+          select(contacts[i + 1].touching, dot(contacts[i + 1].plane.normal, d[i]), Floats(0.0f));
       b = b - b * (slide * (intoBefore * intoBefore));
     }
     Floats diagonal = a + b, rhs = Floats(linkLength[i]) - lengthNow;
     if (i > 0) {
+      // Not by way of `above`: each pivot waits for the one before.
+      diagonal = diagonal - (c * c) * pivot;
       above[i - 1] = c * pivot;
-      diagonal = diagonal - c * above[i - 1];
       rhs = rhs + c * right[i - 1];
     }
     pivot = Floats(1.0f) / max(diagonal, Floats(1e-6f) * Floats(inverseMass[i + 1]));
@@ -102,14 +99,16 @@ HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
 /// Root to tip: puts every point at exactly its link's length from the one before, and outside its
 /// plane where that is within reach. What Newton has left is a small fraction of a link.
 /// `directions` [links]: of the links then, unit.
-HWY_INLINE void finishLinks(std::uint32_t points, const Lanes* linkLength, const Contact* contacts,
-                            Vec3* x, Vec3* directions) {
+HWY_INLINE void finishLinks(std::uint32_t points, const Lanes* linkLength,
+                            const Lanes* inverseLength, const Contact* contacts, Vec3* x,
+                            Vec3* directions) {
   Vec3 start = x[0];
   for (std::uint32_t i = 0; i + 1 < points; ++i) {
     const Floats l = linkLength[i];
     const Vec3 e = x[i + 1] - start;
-    Vec3 direction = inverseSqrt(max(dot(e, e), Floats(kNoLength2))) * e;
-    Vec3 end = start + l * direction;
+    // The end first: what follows along the strand waits for it.
+    const Vec3 along = (l / max(length(e), Floats(1e-9f))) * e;
+    Vec3 end = start + along, direction = Floats(inverseLength[i]) * along;
     if (contacts[i + 1].near) {
       const ContactPlane& plane = contacts[i + 1].plane;
       const Mask inside = dot(plane.normal, end) < plane.offset;
@@ -118,11 +117,11 @@ HWY_INLINE void finishLinks(std::uint32_t points, const Lanes* linkLength, const
         // nearest to where the link points: climb by `rise` along the normal, keep the heading.
         const Floats rise = min(max(plane.offset - dot(plane.normal, start), -l), l);
         const Vec3 flat = direction - dot(direction, plane.normal) * plane.normal;
-        const Floats run = sqrt(max(l * l - rise * rise, Floats(0.0f))) /
-                           max(length(flat), Floats(1e-9f));
+        const Floats run =
+            sqrt(max(l * l - rise * rise, Floats(0.0f))) / max(length(flat), Floats(1e-9f));
         const Vec3 way = rise * plane.normal + run * flat;
         end = select(inside, start + way, end);
-        direction = select(inside, (Floats(1.0f) / l) * way, direction);
+        direction = select(inside, Floats(inverseLength[i]) * way, direction);
       }
     }
     directions[i] = direction;

@@ -102,8 +102,8 @@ HWY_INLINE std::span<const NearCapsule> findNear(const Group& g, float skin,
   std::size_t count = 0;
   for (std::size_t b = 0; b < colliders.boxes.size(); ++b) {
     const Vec3 from(colliders.boxes[b].lower), to(colliders.boxes[b].upper);
-    const Mask meet = (from.x < most.x) & (from.y < most.y) & (from.z < most.z) &
-                      (least.x < to.x) & (least.y < to.y) & (least.z < to.z);
+    const Mask meet = (from.x < most.x) & (from.y < most.y) & (from.z < most.z) & (least.x < to.x) &
+                      (least.y < to.y) & (least.z < to.z);
     for (std::uint32_t rest = bits(meet); rest != 0; rest &= rest - 1) {
       if (count == 0)
         for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
@@ -130,8 +130,8 @@ HWY_INLINE void findPlanes(const Group& g, const Surroundings& around, Scratch& 
     s.way[i] = way;
     s.seenAt[i] = x;
     s.contacts[i].touched = false;
-    s.contacts[i].near = nearestPlane(x, i, way, g.clearance[i], around, 0, known,
-                                      s.contacts[i].plane);
+    s.contacts[i].near =
+        nearestPlane(x, i, way, g.clearance[i], around, 0, known, s.contacts[i].plane);
   }
 }
 
@@ -175,7 +175,8 @@ void substep(const Group& g, const GuideSettings& settings, const Wind& wind, do
   const std::uint32_t n = g.points, links = n - 1;
   predict(g, settings, wind, time, h, colliders, s);
   s.x[0] = rotate(colliders.turn, g.restPosition[0]) + Vec3(colliders.at);
-  const RootFrame root{rotate(colliders.turn, g.rest.tangent), rotate(colliders.turn, g.rest.normal)};
+  const RootFrame root{rotate(colliders.turn, g.rest.tangent),
+                       rotate(colliders.turn, g.rest.normal)};
   const RootFrame rootBefore{rotate(colliders.turnBefore, g.rest.tangent),
                              rotate(colliders.turnBefore, g.rest.normal)};
   solveBending(g.bending, root, rootBefore, s.directions, s.force, s.x);
@@ -189,7 +190,7 @@ void substep(const Group& g, const GuideSettings& settings, const Wind& wind, do
       pushOut(g, settings.friction, s);
       correctLinks(n, g.linkLength, g.inverseMass, s.contacts, s.lambda, s.x);
     }
-    finishLinks(n, g.linkLength, s.contacts, s.x, s.directions);
+    finishLinks(n, g.linkLength, g.bending.inverseLength, s.contacts, s.x, s.directions);
     if (!lookAgain(g, settings.skin, around, s)) break;
   }
 
@@ -213,20 +214,20 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
   s.contacts[0].near = s.contacts[0].touched = false;
   for (std::size_t k = begin; k < end; ++k) {
     const std::size_t p = k * n, l = k * links;
-    const Group group{n,
-                      &guides.position[p],
-                      &guides.velocity[p],
-                      &guides.tension[l],
-                      &guides.restPosition[p],
-                      motion.push.empty() ? nullptr : &motion.push[p],
-                      &guides.pointMass[p],
-                      &guides.inverseMass[p],
-                      &guides.linkLength[l],
-                      &guides.clearance[p],
-                      {guides.rootTangent[k], guides.rootNormal[k]},
-                      {n, &guides.curvature[l], &guides.jointStiffness[l], &guides.inverseLength[l],
-                       &factors.inverseD[p], &factors.below1[p], &factors.below2[p],
-                       factors.damping}};
+    const Group group{
+        n,
+        &guides.position[p],
+        &guides.velocity[p],
+        &guides.tension[l],
+        &guides.restPosition[p],
+        motion.push.empty() ? nullptr : &motion.push[p],
+        &guides.pointMass[p],
+        &guides.inverseMass[p],
+        &guides.linkLength[l],
+        &guides.clearance[p],
+        {guides.rootTangent[k], guides.rootNormal[k]},
+        {n, &guides.curvature[l], &guides.jointStiffness[l], &guides.inverseLength[l],
+         &factors.inverseD[p], &factors.below1[p], &factors.below2[p], factors.damping}};
     for (std::uint32_t i = 0; i < links; ++i) {
       const Vec3 e = Vec3(group.position[i + 1]) - Vec3(group.position[i]);
       s.directions[i] = (Floats(1.0f) / max(length(e), Floats(1e-12f))) * e;
@@ -281,8 +282,9 @@ void cutFrame(const GuideMotion& motion, const RigidTransform& from, float skin,
   workspace.colliders.clear();
   for (std::size_t s = 1; s <= substeps; ++s)
     workspace.colliders.push_back(
-        {glm::mat3_cast(workspace.heads[s].rotation), glm::mat3_cast(workspace.heads[s - 1].rotation),
-         workspace.heads[s].translation, workspace.heads[s - 1].translation,
+        {glm::mat3_cast(workspace.heads[s].rotation),
+         glm::mat3_cast(workspace.heads[s - 1].rotation), workspace.heads[s].translation,
+         workspace.heads[s - 1].translation,
          std::span(workspace.capsules).subspan(s * capsules, capsules),
          std::span(workspace.capsules).subspan((s - 1) * capsules, capsules),
          std::span(workspace.boxes).subspan(s * boxes, boxes), motion.head});

@@ -28,9 +28,9 @@ struct GuideMotion {
 /// What stepGuides needs beside its inputs; kept by the caller, grown once.
 struct GuideWorkspace {
   BendingFactors bending;
-  std::vector<RigidTransform> heads;      ///< [substeps + 1]
-  std::vector<Capsule> capsules;          ///< [(substeps + 1) · capsuleCount]
-  std::vector<CapsuleBoxes> boxes;        ///< of the same, sixteen at a time
+  std::vector<RigidTransform> heads;        ///< [substeps + 1]
+  std::vector<Capsule> capsules;            ///< [(substeps + 1) · capsuleCount]
+  std::vector<CapsuleBoxes> boxes;          ///< of the same, sixteen at a time
   std::vector<SubstepColliders> colliders;  ///< [substeps], of all these
 };
 

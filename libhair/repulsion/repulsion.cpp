@@ -51,8 +51,8 @@ class DensityLookup {
     const float cellSize = map_.settings.cellSize;
     const Floats across = Floats(cellSize) * length(gradient);
     const Floats steepness = across / (across + Floats(0.1f) * density + Floats(1e-20f));
-    direction = select(across > Floats(0.0f),
-                       (Floats(-cellSize) / across * steepness) * gradient, Vec3(glm::vec3(0)));
+    direction = select(across > Floats(0.0f), (Floats(-cellSize) / across * steepness) * gradient,
+                       Vec3(glm::vec3(0)));
   }
 
   // sampleDensity.

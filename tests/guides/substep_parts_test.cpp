@@ -11,8 +11,6 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-void inverseRoots(const Lanes& x, Lanes& out) { store(inverseSqrt(x), out); }
-
 // x, force [points], directions [links]: as solveBending. The root's frame stays.
 void bend(const GuideStrands& guides, const BendingFactors& factors, const LaneVec3* directions,
           const LaneVec3* force, LaneVec3* x) {
@@ -20,9 +18,14 @@ void bend(const GuideStrands& guides, const BendingFactors& factors, const LaneV
   Vec3 f[kMaxGuidePoints], moved[kMaxGuidePoints], before[kMaxGuidePoints];
   for (std::uint32_t i = 0; i < n; ++i) f[i] = force[i], moved[i] = x[i];
   for (std::uint32_t i = 0; i + 1 < n; ++i) before[i] = directions[i];
-  const BendingGroup group{n, guides.curvature.data(), guides.jointStiffness.data(),
-                           guides.inverseLength.data(), factors.inverseD.data(),
-                           factors.below1.data(), factors.below2.data(), factors.damping};
+  const BendingGroup group{n,
+                           guides.curvature.data(),
+                           guides.jointStiffness.data(),
+                           guides.inverseLength.data(),
+                           factors.inverseD.data(),
+                           factors.below1.data(),
+                           factors.below2.data(),
+                           factors.damping};
   const RootFrame root{guides.rootTangent[0], guides.rootNormal[0]};
   solveBending(group, root, root, before, f, moved);
   for (std::uint32_t i = 0; i < n; ++i) store(moved[i], x[i]);
@@ -78,7 +81,6 @@ HWY_AFTER_NAMESPACE();
 namespace hair {
 namespace {
 
-HWY_EXPORT(inverseRoots);
 HWY_EXPORT(bend);
 HWY_EXPORT(correct);
 HWY_EXPORT(nearest);
@@ -136,17 +138,6 @@ struct Frame {
   }
 };
 
-TEST(GuideParts, InverseRootsAreRightToTwoInTenMillion) {
-  for (std::uint32_t i = 0; i < 20000; ++i) {
-    Lanes x, got;
-    for (std::uint32_t l = 0; l < kLanes; ++l)
-      x[l] = std::ldexp(1 + uniform(i, l), static_cast<int>(200 * uniform(i, l + 16)) - 100);
-    HWY_DYNAMIC_DISPATCH(inverseRoots)(x, got);
-    for (std::size_t l = 0; l < kLanes; ++l)
-      ASSERT_NEAR(got[l] * std::sqrt(static_cast<double>(x[l])), 1, 2e-7) << x[l];
-  }
-}
-
 TEST(GuideParts, BendingSolvesItsImplicitSystem) {
   const GuideSettings settings;
   GuideStrands guides(crooked(), settings);
@@ -198,8 +189,7 @@ TEST(GuideParts, BendingSolvesItsImplicitSystem) {
       a[j][j] += guides.pointMass[j + 1][l] / (static_cast<double>(h) * h);
       for (std::uint32_t k = 0; k < kLinks; ++k)
         for (std::uint32_t i = 0; i < kLinks; ++i)
-          a[j][k] +=
-              (1 + damping) * guides.jointStiffness[i][l] * q[i][j + 1] * q[i][k + 1];
+          a[j][k] += (1 + damping) * guides.jointStiffness[i][l] * q[i][j + 1] * q[i][k + 1];
     }
     const std::vector<glm::dvec3> moves = solve(a, r);
     double most = 0;
@@ -283,12 +273,13 @@ TEST(GuideParts, ThePlaneIsThatOfTheNearestCapsule) {
       ASSERT_NEAR(offset[l], glm::dot(lane(normal, l), lane(p, l)) - distance[l], 1e-6f);
       // The surface moves as its end points do, shared out along the axis.
       const glm::vec3 axis = now[nearest].b - now[nearest].a;
-      const float t = nearest == 2 ? 0
-                                   : std::clamp(glm::dot(lane(p, l) - now[nearest].a, axis) /
-                                                    glm::dot(axis, axis),
-                                                0.0f, 1.0f);
-      const glm::vec3 moved = glm::mix(now[nearest].a - before[nearest].a,
-                                       now[nearest].b - before[nearest].b, t);
+      const float t =
+          nearest == 2
+              ? 0
+              : std::clamp(glm::dot(lane(p, l) - now[nearest].a, axis) / glm::dot(axis, axis), 0.0f,
+                           1.0f);
+      const glm::vec3 moved =
+          glm::mix(now[nearest].a - before[nearest].a, now[nearest].b - before[nearest].b, t);
       ASSERT_LT(glm::distance(lane(move, l), moved), 1e-6f);
     }
   }

@@ -12,8 +12,7 @@ namespace HWY_NAMESPACE {
 void lookUp(const MeshSdf& sdf, const LaneVec3& p, std::uint32_t wanted, Lanes& bound,
             Lanes& distance, LaneVec3& direction) {
   std::int32_t chosen[kLanes];
-  for (std::uint32_t l = 0; l < kLanes; ++l)
-    chosen[l] = static_cast<std::int32_t>(wanted >> l & 1);
+  for (std::uint32_t l = 0; l < kLanes; ++l) chosen[l] = static_cast<std::int32_t>(wanted >> l & 1);
   const Mask mask = loadInts(chosen) > Ints(0);
   const SdfLookup lookup(sdf);
   store(lookup.lowerBound(p, mask), bound);
