@@ -34,9 +34,9 @@ inline bool any(LaneMask m) {
   return bits != 0;
 }
 
-/// Sixteen vectors side by side. LaneVec3{} is zero; without the braces it is not set.
+/// Sixteen vectors side by side.
 struct alignas(64) LaneVec3 {
-  Lanes x, y, z;
+  Lanes x{}, y{}, z{};
 };
 
 inline LaneVec3 operator+(LaneVec3 a, LaneVec3 b) {

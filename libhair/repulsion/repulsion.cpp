@@ -100,8 +100,11 @@ class DensityLookup {
       const Ints here = from + Ints(a);
       r.inside[a] = (cell + Ints(a) > Ints(lower - 1)) & !(cell + Ints(a) > Ints(upper));
       Ints at = Ints(first_[kAxis]) + max(here, Ints(0));
-      for (Mask over = at > Ints(cells - 1); any(over); over = at > Ints(cells - 1))
-        at = at - select(over, Ints(cells), Ints(0));
+      // Whole turns of the map: the second time takes what rounding left of many.
+      for (int time = 0; time < 2; ++time)
+        at = at - Ints(cells) * floorToInt(toFloats(at) * Floats(1.0f / static_cast<float>(cells)));
+      at = at - select(at > Ints(cells - 1), Ints(cells), Ints(0));
+      at = at + select(at < Ints(0), Ints(cells), Ints(0));
       static_assert(brick::kX == 4 && brick::kY == 16 && brick::kZ == 4);
       if (kAxis == 0) {
         r.brick[a] = shiftRight<2>(at) * Ints(perAxis_.y * perAxis_.z);
