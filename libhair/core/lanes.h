@@ -7,7 +7,7 @@
 
 namespace hair {
 
-/// Eight strands side by side: one float of each. GCC's and Clang's vector extension, which every
+/// Sixteen strands side by side: one float of each. GCC's and Clang's vector extension, which every
 /// CPU has a lowering for; the operators + - * / and comparisons come with it.
 /// Rounding is that of the scalar operations, so lanes and scalars give the same bits.
 inline constexpr std::size_t kLanes = 16;
@@ -34,8 +34,8 @@ inline bool any(LaneMask m) {
   return bits != 0;
 }
 
-/// Eight vectors side by side.
-struct LaneVec3 {
+/// Sixteen vectors side by side.
+struct alignas(64) LaneVec3 {
   Lanes x{}, y{}, z{};
 };
 

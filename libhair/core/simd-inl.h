@@ -368,22 +368,6 @@ HWY_INLINE void transpose(Floats (&rows)[kLanes]) {
 /// exp(-x) for x >= 0: the bits of expMinusApproximate.
 HWY_INLINE Floats expMinusApproximate(Floats x) {
   x = min(x, Floats(87.0f));
-  const Floats n = (x * 1.44269504f + 12582912.0f) - 12582912.0f;
-  const Floats r = (x - n * 0.693359375f) + n * 2.12194440e-4f;
-  Floats e = 1.9841270e-4f;
-  e = e * -r + 1.3888889e-3f;
-  e = e * -r + 8.3333333e-3f;
-  e = e * -r + 4.1666667e-2f;
-  e = e * -r + 1.6666667e-1f;
-  e = e * -r + 0.5f;
-  e = e * (r * r) - r + 1.0f;
-  const Ints exponent = shiftLeft<23>(Ints(127) - truncate(n));
-  return min(e * asFloats(exponent), Floats(1.0f));
-}
-
-/// exp(-x) for x >= 0: the bits of expMinusApproximate.
-HWY_INLINE Floats expMinusApproximate(Floats x) {
-  x = min(x, Floats(87.0f));
   // The lowest bits of this are those of the whole number n.
   const Floats biased = x * 1.44269504f + 12582912.0f;
   const Floats n = biased - 12582912.0f;

@@ -30,24 +30,4 @@ struct BendingFactors {
 void factorBending(const GuideStrands& guides, float substep, float bendDamping,
                    BendingFactors& factors);
 
-/// The part of a group's arrays that bending reads (GuideStrands, BendingFactors), and its root.
-struct BendingGroup {
-  std::uint32_t points;
-  const LaneVec3* curvature;
-  const Lanes *jointStiffness, *linkLength;
-  const Lanes *inverseD, *below1, *below2;
-  float damping;  ///< bendDamping / h
-};
-
-/// The frame at the roots of a group, world space.
-struct RootFrame {
-  LaneVec3 tangent, normal;
-};
-
-/// Moves the points x[1 .. points - 1] of one group to y above. `before` and `rootBefore`: where
-/// the points and the root's frame were before the substep. `force` [points] is f per linear
-/// density (m²/s²), overwritten.
-void solveBending(const BendingGroup& group, const RootFrame& root, const RootFrame& rootBefore,
-                  const LaneVec3* before, LaneVec3* force, LaneVec3* x);
-
 }  // namespace hair

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <libhair/core/lanes.h>
 #include <libhair/core/transform.h>
@@ -17,15 +18,6 @@ struct ColliderState {
   const MeshSdf* head = nullptr;                      ///< in head space; may be null
 };
 
-/// The half-space normal · x >= offset in which a point of a strand must stay for one substep, and
-/// how far the surface moved in it.
-struct ContactPlane {
-  LaneVec3 normal;
-  Lanes offset;
-  LaneVec3 surfaceMove;
-  Lanes distance;  ///< of the point to the plane when it was found; no collider is nearer
-};
-
 /// The points next to the root go where the head goes. Where a capsule has swallowed the place that
 /// the head holds for one of them (the neck does, when the head is thrown back), there is no way
 /// out: it keeps that point only as far from its axis as that place is, and the points after it
@@ -33,42 +25,23 @@ struct ContactPlane {
 inline constexpr std::uint32_t kAnchoredPoints = 3;
 inline constexpr float kReachGrowth = 0.7f;
 
-/// A capsule worth looking at.
-struct NearCapsule {
-  const Capsule *now, *before;
-  /// [i]: how far from its axis point i + 1 must keep; points after the last of them that far plus
-  /// their way along the strand times kReachGrowth; at most `full`.
-  Lanes reach[kAnchoredPoints];
-  float full;
+inline constexpr std::size_t kMaxCapsules = 64;
 
-  Lanes reachOf(std::uint32_t point, Lanes way) const {
-    return point <= kAnchoredPoints
-               ? reach[point - 1]
-               : min(reach[kAnchoredPoints - 1] + kReachGrowth * way, lanes(full));
-  }
+/// Boxes around sixteen capsules and all that may touch them. Those beyond the last hold nothing.
+struct CapsuleBoxes {
+  LaneVec3 lower, upper;
 };
 
-/// `anchors`: where the head holds points 1 to kAnchoredPoints of eight strands.
-NearCapsule nearCapsule(const Capsule& now, const Capsule& before, const LaneVec3* anchors,
-                        float skin);
-
-/// How far eight points are from body and head at least: what is known before they are looked at,
-/// and more exactly afterwards. A step along a strand takes its length off both; twice that off the
-/// body's where a capsule has swallowed something, as its reach may change as much.
-struct Clearance {
-  Lanes body{}, head{};
-
-  void step(Lanes way, bool swallowed) {
-    body = body - (swallowed ? 2.0f : 1.0f) * way, head = head - way;
-  }
+/// A ColliderState as the solver wants it, made once for all strands.
+struct SubstepColliders {
+  glm::mat3 turn, turnBefore;  ///< of the head
+  glm::vec3 at, atBefore;
+  std::span<const Capsule> capsules, capsulesBefore;
+  std::span<const CapsuleBoxes> boxes;  ///< [capsules / 16, rounded up]
+  const MeshSdf* head = nullptr;
 };
 
-/// The plane of the collider nearest to each of eight points (deepest, where inside), which are
-/// points `index` of their strands, `way` metres after the last anchored one. A lane far from
-/// everything gets a plane that never touches. Colliders that `clearance` knows to be far are not
-/// looked at. `slack`: so many metres less than asked for need to be kept.
-ContactPlane nearestPlane(LaneVec3 points, std::uint32_t index, Lanes way, Lanes headClearance,
-                          const ColliderState& colliders, std::span<const NearCapsule> near,
-                          float slack, Clearance& clearance);
+/// Appends the boxes of these capsules, `reach` metres larger.
+void appendBoxes(std::span<const Capsule> capsules, float reach, std::vector<CapsuleBoxes>& boxes);
 
 }  // namespace hair

@@ -44,11 +44,13 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
   restPosition.resize(groups * n);
   clearance.resize(groups * n);
   pointMass.resize(groups * n);
+  inverseMass.resize(groups * n);
   rootTangent.resize(groups);
   rootNormal.resize(groups);
   tension.resize(groups * links);
   restTension.resize(groups * links);
   linkLength.resize(groups * links);
+  inverseLength.resize(groups * links);
   curvature.resize(groups * links);
   jointStiffness.resize(groups * links);
   for (std::size_t slot = 0; slot < groups * kLanes; ++slot) {
@@ -65,9 +67,11 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
       clearance[group * n + i][l] =
           head ? std::min(settings.skin, head->distance(points[i])) : settings.skin;
       pointMass[group * n + i][l] = rest.mass[i];
+      inverseMass[group * n + i][l] = i > 0 ? 1.0f / rest.mass[i] : 0.0f;
     }
     for (std::size_t i = 0; i < links; ++i) {
       linkLength[group * links + i][l] = rest.linkLength[i];
+      inverseLength[group * links + i][l] = 1.0f / rest.linkLength[i];
       restTension[group * links + i][l] = rest.tension[i];
       setLane(curvature[group * links + i], l, rest.curvature[i]);
       jointStiffness[group * links + i][l] = rest.stiffness[i];

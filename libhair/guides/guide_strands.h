@@ -17,14 +17,14 @@ class MeshSdf;
 
 /// Guide strands as rigid links: state and rest shape.
 ///
-/// Eight strands lie side by side ("a group"), so that every pass works on eight at once; element
-/// [group · points + i] holds point i of guides 8·group .. 8·group + 7:
+/// Sixteen strands lie side by side ("a group"), so that every pass works on all of them at once;
+/// element [group · points + i] holds point i of guides 16·group .. 16·group + 15:
 ///
-///                lane 0    lane 1   ...  lane 7
-///     point 0    guide 0   guide 1       guide 7     } group 0, read from root to tip
-///     point 1    guide 0   guide 1       guide 7     }
+///                lane 0    lane 1   ...  lane 15
+///     point 0    guide 0   guide 1       guide 15    } group 0, read from root to tip
+///     point 1    guide 0   guide 1       guide 15    }
 ///     ...
-///     point 0    guide 8   guide 9       guide 15    } group 1
+///     point 0    guide 16  guide 17      guide 31    } group 1
 ///
 /// Lanes beyond the last guide repeat it. Link i joins points i and i + 1.
 ///
@@ -68,12 +68,14 @@ class GuideStrands {
   std::vector<LaneVec3> rootTangent;   ///< [groupCount], unit
   std::vector<LaneVec3> rootNormal;    ///< [groupCount], unit, at a right angle to the tangent
   std::vector<Lanes> linkLength;       ///< [groupCount · linksPerGuide]
+  std::vector<Lanes> inverseLength;    ///< [groupCount · linksPerGuide], 1 / linkLength
   std::vector<Lanes> restTension;      ///< [groupCount · linksPerGuide]
   std::vector<LaneVec3>
       curvature;  ///< [groupCount · linksPerGuide], c_i in the frame of link i - 1
   std::vector<Lanes> jointStiffness;  ///< [groupCount · linksPerGuide], kappa_i per linear density
-  std::vector<Lanes> pointMass;  ///< [groupCount · pointsPerGuide], per linear density (metres)
-  std::vector<Lanes> clearance;  ///< [groupCount · pointsPerGuide], least distance to the head
+  std::vector<Lanes> pointMass;    ///< [groupCount · pointsPerGuide], per linear density (metres)
+  std::vector<Lanes> inverseMass;  ///< [groupCount · pointsPerGuide], 1 / pointMass; root: 0
+  std::vector<Lanes> clearance;    ///< [groupCount · pointsPerGuide], least distance to the head
 
  private:
   std::size_t guideCount_;

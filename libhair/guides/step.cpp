@@ -1,178 +1,293 @@
-#include <libhair/guides/step.h>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "libhair/guides/step.cpp"
+#include <hwy/foreach_target.h>
+#include <libhair/core/simd-inl.h>
+#include <libhair/guides/bending-inl.h>
+#include <libhair/guides/contact-inl.h>
+#include <libhair/guides/links-inl.h>
 
 #include <algorithm>
-#include <array>
+#include <bit>
+
+#include <libhair/guides/step.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hair {
+namespace HWY_NAMESPACE {
+
+// Everything that one substep of one group reads, pointing into the group's part of the arrays.
+struct Group {
+  std::uint32_t points;
+  LaneVec3 *position, *velocity;
+  Lanes* tension;
+  const LaneVec3 *restPosition, *push;
+  const Lanes *mass, *inverseMass, *linkLength, *clearance;
+  RootFrame rest;
+  BendingGroup bending;
+};
+
+// What a substep of a group works on. Not set before it is written: there is room for the longest
+// strands, and most are shorter.
+struct Scratch {
+  Vec3 x[kMaxGuidePoints], force[kMaxGuidePoints], seenAt[kMaxGuidePoints];
+  Vec3 directions[kMaxGuidePoints];  // of the links, unit, where the last substep left them
+  Floats lambda[kMaxGuidePoints], way[kMaxGuidePoints];
+  Contact contacts[kMaxGuidePoints];
+  NearCapsule near[kMaxCapsules];
+};
+
+// Distance from the head at which the air moves with half its speed.
+inline constexpr float kCarriedAirRadius = 0.3f;
+
+HWY_NOINLINE void addWind(const Wind& wind, double time, const Vec3& p, Vec3& air) {
+  LaneVec3 at, blown;
+  store(p, at), store(air, blown);
+  for (std::size_t l = 0; l < kLanes; ++l)
+    setLane(blown, l, lane(blown, l) + wind.at(lane(at, l), time));
+  air = blown;
+}
+
+// x = where its velocity alone takes every free point in time h; force = all that acts on it but
+// bending, per linear density.
+HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Wind& wind,
+                        double time, float h, const SubstepColliders& colliders, Scratch& s) {
+  const float keep = 1.0f / (1.0f + settings.airDrag * h);
+  const bool still = wind.still();
+  // What moves with the head was, h ago, at back · (p - now) + then: it moves with the velocity
+  // carry · (p - now) + drift.
+  const glm::mat3 back = colliders.turnBefore * glm::transpose(colliders.turn);
+  const glm::mat3 carry = (glm::mat3(1) - back) * (1.0f / h);
+  const Vec3 drift((colliders.at - colliders.atBefore) * (1.0f / h)), now(colliders.at);
+  const Vec3 gravity(settings.gravity);
+  constexpr float kPerRadius2 = 1.0f / (kCarriedAirRadius * kCarriedAirRadius);
+  // Tension acts along the links as they were; beyond m l / (4 h²) it could no longer be stepped
+  // explicitly, and Newton does the rest.
+  const Floats quarter = 0.25f / (h * h);
+  const auto pullOf = [&](std::uint32_t i) HWY_ATTR {
+    const Floats most = quarter * Floats(g.mass[i + 1]) * Floats(g.linkLength[i]);
+    const Floats tension = max(min(Floats(g.tension[i]), most), -most);
+    store(tension, g.tension[i]);
+    return tension * s.directions[i];
+  };
+  Vec3 pull = pullOf(0);
+  for (std::uint32_t i = 1; i < g.points; ++i) {
+    const Vec3 p = g.position[i], fromHead = p - now;
+    const Floats share = Floats(settings.carriedAir) /
+                         (Floats(1.0f) + Floats(kPerRadius2) * dot(fromHead, fromHead));
+    Vec3 air = share * (rotate(carry, fromHead) + drift);
+    if (!still) addWind(wind, time, p, air);
+    Vec3 acceleration = gravity + Floats(keep * settings.airDrag) * air;
+    if (g.push) acceleration = acceleration + Vec3(g.push[i]);
+    // Implicit drag: v' = (v + h drag · air) / (1 + h drag), then what else accelerates.
+    s.x[i] = p + Floats(h * keep) * Vec3(g.velocity[i]);
+    Vec3 force = Floats(g.mass[i]) * acceleration - pull;
+    if (i + 1 < g.points) pull = pullOf(i), force = force + pull;
+    s.force[i] = force;
+  }
+}
+
+// The capsules that a box around the group touches, and how near they may come.
+HWY_INLINE std::span<const NearCapsule> findNear(const Group& g, float skin,
+                                                 const SubstepColliders& colliders, Scratch& s) {
+  if (colliders.capsules.empty()) return {};
+  Vec3 lower = s.x[0], upper = s.x[0];
+  for (std::uint32_t i = 1; i < g.points; ++i) {
+    const Vec3 p = s.x[i];
+    lower = Vec3(min(lower.x, p.x), min(lower.y, p.y), min(lower.z, p.z));
+    upper = Vec3(max(upper.x, p.x), max(upper.y, p.y), max(upper.z, p.z));
+  }
+  const Vec3 least(glm::vec3(lowest(lower.x), lowest(lower.y), lowest(lower.z)));
+  const Vec3 most(glm::vec3(highest(upper.x), highest(upper.y), highest(upper.z)));
+  Vec3 anchors[kAnchoredPoints];
+  std::size_t count = 0;
+  for (std::size_t b = 0; b < colliders.boxes.size(); ++b) {
+    const Vec3 from(colliders.boxes[b].lower), to(colliders.boxes[b].upper);
+    const Mask meet = (from.x < most.x) & (from.y < most.y) & (from.z < most.z) & (least.x < to.x) &
+                      (least.y < to.y) & (least.z < to.z);
+    for (std::uint32_t rest = bits(meet); rest != 0; rest &= rest - 1) {
+      if (count == 0)
+        for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
+          anchors[i] = rotate(colliders.turn, g.restPosition[std::min(i + 1, g.points - 1)]) +
+                       Vec3(colliders.at);
+      const std::size_t c = b * kLanes + static_cast<std::size_t>(std::countr_zero(rest));
+      lookAt(colliders.capsules[c], colliders.capsulesBefore[c], anchors, skin, s.near[count++]);
+    }
+  }
+  return {s.near, count};
+}
+
+// Every point sees its nearest collider.
+HWY_INLINE void findPlanes(const Group& g, const Surroundings& around, Scratch& s) {
+  bool swallowed = false;
+  for (const NearCapsule& capsule : around.capsules)
+    for (const Floats& reach : capsule.reach) swallowed |= any(reach < Floats(capsule.full));
+  Clearance known;
+  Floats way = 0.0f;
+  for (std::uint32_t i = 1; i < g.points; ++i) {
+    const Vec3 x = s.x[i];
+    if (i > kAnchoredPoints) way = way + Floats(g.linkLength[i - 1]);
+    known.step(length(x - s.x[i - 1]), swallowed);
+    s.way[i] = way;
+    s.seenAt[i] = x;
+    s.contacts[i].touched = false;
+    s.contacts[i].near =
+        nearestPlane(x, i, way, g.clearance[i], around, 0, known, s.contacts[i].plane);
+  }
+}
+
+// Points inside their planes are put on them.
+HWY_INLINE void pushOut(const Group& g, float friction, Scratch& s) {
+  for (std::uint32_t i = 1; i < g.points; ++i) {
+    Contact& contact = s.contacts[i];
+    if (!contact.near) continue;
+    const ContactPlane& plane = contact.plane;
+    const Floats depth = plane.offset - dot(plane.normal, s.x[i]);
+    const Mask inside = depth > Floats(0.0f);
+    if (!any(inside)) continue;
+    contact.touching = contact.touched ? contact.touching | inside : inside;
+    contact.touched = true;
+    const Floats push = select(inside, depth, Floats(0.0f));
+    s.x[i] = rub(s.x[i] + push * plane.normal, g.position[i], plane, push, friction);
+  }
+}
+
+// Links drag points off; those that went farther than to the collider they saw must look again.
+// True if one is inside another collider by now. The skin is for comfort: a point pinched between
+// two colliders has to do with a third of it.
+HWY_INLINE bool lookAgain(const Group& g, float skin, const Surroundings& around, Scratch& s) {
+  bool again = false;
+  for (std::uint32_t i = 1; i < g.points; ++i) {
+    const Vec3 moved = s.x[i] - s.seenAt[i];
+    ContactPlane& plane = s.contacts[i].plane;
+    const Floats may = max(plane.distance, Floats(0.0f)) + Floats(0.5f * skin);
+    if (!any(dot(moved, moved) > may * may)) continue;
+    Clearance nothing;
+    s.seenAt[i] = s.x[i];
+    s.contacts[i].near = nearestPlane(s.x[i], i, s.way[i], g.clearance[i], around,
+                                      skin * (2.0f / 3.0f), nothing, plane);
+    again |= any(plane.distance < Floats(0.0f));
+  }
+  return again;
+}
+
+void substep(const Group& g, const GuideSettings& settings, const Wind& wind, double time, float h,
+             const SubstepColliders& colliders, Scratch& s) {
+  const std::uint32_t n = g.points, links = n - 1;
+  predict(g, settings, wind, time, h, colliders, s);
+  s.x[0] = rotate(colliders.turn, g.restPosition[0]) + Vec3(colliders.at);
+  const RootFrame root{rotate(colliders.turn, g.rest.tangent),
+                       rotate(colliders.turn, g.rest.normal)};
+  const RootFrame rootBefore{rotate(colliders.turnBefore, g.rest.tangent),
+                             rotate(colliders.turnBefore, g.rest.normal)};
+  solveBending(g.bending, root, rootBefore, s.directions, s.force, s.x);
+
+  const Surroundings around{colliders, findNear(g, settings.skin, colliders, s)};
+  findPlanes(g, around, s);
+  for (std::uint32_t i = 0; i < links; ++i) s.lambda[i] = 0.0f;
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    for (int iteration = 0; iteration < settings.iterations; ++iteration) {
+      pushOut(g, settings.friction, s);
+      correctLinks(n, g.linkLength, g.inverseMass, s.contacts, s.lambda, s.x);
+    }
+    finishLinks(n, g.linkLength, g.bending.inverseLength, s.contacts, s.x, s.directions);
+    if (!lookAgain(g, settings.skin, around, s)) break;
+  }
+
+  const Floats perStep = 1.0f / h, perStep2 = 1.0f / (h * h);
+  for (std::uint32_t i = 0; i < links; ++i)
+    store(Floats(g.tension[i]) - perStep2 * s.lambda[i], g.tension[i]);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    store(perStep * (s.x[i] - Vec3(g.position[i])), g.velocity[i]);
+    store(s.x[i], g.position[i]);
+  }
+}
+
+// All substeps of the groups [begin, end). Those of a group in one go: its state stays in the
+// first-level cache.
+void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float h,
+                const GuideWorkspace& workspace, std::size_t begin, std::size_t end,
+                GuideStrands& guides) {
+  const std::uint32_t n = guides.pointsPerGuide(), links = n - 1;
+  const BendingFactors& factors = workspace.bending;
+  Scratch s;
+  s.contacts[0].near = s.contacts[0].touched = false;
+  for (std::size_t k = begin; k < end; ++k) {
+    const std::size_t p = k * n, l = k * links;
+    const Group group{
+        n,
+        &guides.position[p],
+        &guides.velocity[p],
+        &guides.tension[l],
+        &guides.restPosition[p],
+        motion.push.empty() ? nullptr : &motion.push[p],
+        &guides.pointMass[p],
+        &guides.inverseMass[p],
+        &guides.linkLength[l],
+        &guides.clearance[p],
+        {guides.rootTangent[k], guides.rootNormal[k]},
+        {n, &guides.curvature[l], &guides.jointStiffness[l], &guides.inverseLength[l],
+         &factors.inverseD[p], &factors.below1[p], &factors.below2[p], factors.damping}};
+    for (std::uint32_t i = 0; i < links; ++i) {
+      const Vec3 e = Vec3(group.position[i + 1]) - Vec3(group.position[i]);
+      s.directions[i] = (Floats(1.0f) / max(length(e), Floats(1e-12f))) * e;
+    }
+    double time = motion.time;
+    for (const SubstepColliders& colliders : workspace.colliders) {
+      substep(group, settings, motion.wind, time, h, colliders, s);
+      time += static_cast<double>(h);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hair
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/guides/contact.h>
-#include <libhair/guides/links.h>
 
 namespace hair {
 
 namespace {
 
-constexpr std::size_t kMaxCapsules = 64;
+HWY_EXPORT(stepGroups);
 
-// Everything that one substep of one group reads, pointing into the group's part of the arrays.
-struct Group {
-  std::uint32_t points;
-  float h;
-  LaneVec3 *position, *velocity;
-  Lanes* tension;
-  const LaneVec3 *restPosition, *curvature, *push;
-  const Lanes *mass, *linkLength, *jointStiffness, *clearance;
-  const Lanes *inverseD, *below1, *below2;
-  LaneVec3 rootTangent, rootNormal;
-};
-
-using PointArray = std::array<LaneVec3, kMaxGuidePoints>;
-
-// Distance from the head at which the air moves with half its speed.
-constexpr float kCarriedAirRadius = 0.3f;
-
-// x = where its velocity alone takes every free point in time h; force = all that acts on it but
-// bending, per linear density.
-void predict(const Group& g, const GuideSettings& settings, const Wind& wind, double time,
-             const ColliderState& colliders, PointArray& x, PointArray& force) {
-  const float h = g.h, keep = 1.0f / (1.0f + settings.airDrag * h);
-  const bool still = wind.still();
-  // What moves with the head was, h ago, at back · (p - now) + then.
-  const RigidTransform &now = colliders.worldFromHead, &then = colliders.worldFromHeadBefore;
-  const glm::mat3 back = glm::mat3_cast(then.rotation * glm::conjugate(now.rotation));
-  for (std::uint32_t i = 1; i < g.points; ++i) {
-    const LaneVec3 p = g.position[i], fromHead = p - broadcast(now.translation);
-    const LaneVec3 carried =
-        fromHead - rotate(back, fromHead) + broadcast(now.translation - then.translation);
-    const Lanes share = settings.carriedAir /
-                        (1.0f + dot(fromHead, fromHead) / (kCarriedAirRadius * kCarriedAirRadius));
-    LaneVec3 air = (1.0f / h * share) * carried;
-    if (!still)
-      for (std::size_t l = 0; l < kLanes; ++l)
-        setLane(air, l, lane(air, l) + wind.at(lane(p, l), time));
-    LaneVec3 acceleration = broadcast(settings.gravity) + lanes(keep * settings.airDrag) * air;
-    if (g.push) acceleration = acceleration + g.push[i];
-    // Implicit drag: v' = (v + h drag · air) / (1 + h drag), then what else accelerates.
-    x[i] = p + lanes(h * keep) * g.velocity[i];
-    force[i] = g.mass[i] * acceleration;
-  }
-  // Tension acts along the links as they were; beyond m l / (4 h²) it could no longer be stepped
-  // explicitly, and Newton does the rest.
-  force[0] = LaneVec3{};
-  for (std::uint32_t i = 0; i + 1 < g.points; ++i) {
-    const LaneVec3 d = (1.0f / g.linkLength[i]) * (g.position[i + 1] - g.position[i]);
-    const Lanes most = 0.25f / (h * h) * g.mass[i + 1] * g.linkLength[i];
-    g.tension[i] = max(min(g.tension[i], most), -most);
-    force[i] = force[i] + g.tension[i] * d;
-    force[i + 1] = force[i + 1] - g.tension[i] * d;
-  }
-}
-
-// Coulomb: of the way along the surface, takes back as much as friction can for this push.
-LaneVec3 rub(LaneVec3 x, LaneVec3 before, const ContactPlane& plane, Lanes depth, float friction) {
-  const LaneVec3 moved = x - before - plane.surfaceMove;
-  const LaneVec3 along = moved - dot(moved, plane.normal) * plane.normal;
-  const Lanes way = length(along);
-  const Lanes taken = min(lanes(friction) * depth, way) / max(way, lanes(1e-12f));
-  return x - taken * along;
-}
-
-void substep(const Group& g, const GuideSettings& settings, const GuideMotion& motion, double time,
-             const ColliderState& colliders) {
-  const std::uint32_t n = g.points, links = n - 1;
-  const float h = g.h;
-  PointArray x, force, seenAt;
-  std::array<Lanes, kMaxGuidePoints> inverseMass, lambda, way;
-  std::array<ContactPlane, kMaxGuidePoints> planes;
-  std::array<LaneMask, kMaxGuidePoints> touching;
-
-  predict(g, settings, motion.wind, time, colliders, x, force);
-
-  const glm::mat3 turn = glm::mat3_cast(colliders.worldFromHead.rotation);
-  x[0] = rotate(turn, g.restPosition[0]) + broadcast(colliders.worldFromHead.translation);
-  const glm::mat3 turnBefore = glm::mat3_cast(colliders.worldFromHeadBefore.rotation);
-  solveBending({n, g.curvature, g.jointStiffness, g.linkLength, g.inverseD, g.below1, g.below2,
-                settings.bendDamping / h},
-               {rotate(turn, g.rootTangent), rotate(turn, g.rootNormal)},
-               {rotate(turnBefore, g.rootTangent), rotate(turnBefore, g.rootNormal)}, g.position,
-               force.data(), x.data());
-
-  LaneVec3 anchors[kAnchoredPoints];
-  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
-    anchors[i] = rotate(turn, g.restPosition[std::min(i + 1, links)]) +
-                 broadcast(colliders.worldFromHead.translation);
-  // Capsules that a box around the group touches.
-  glm::vec3 lower(INFINITY), upper(-INFINITY);
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::size_t l = 0; l < kLanes; ++l) {
-      const glm::vec3 p(x[i].x[l], x[i].y[l], x[i].z[l]);
-      lower = glm::min(lower, p), upper = glm::max(upper, p);
+// Where roots and colliders are in each of the substeps.
+void cutFrame(const GuideMotion& motion, const RigidTransform& from, float skin,
+              std::size_t substeps, GuideWorkspace& workspace) {
+  const std::size_t capsules = motion.capsules.size();
+  const std::size_t boxes = (capsules + kLanes - 1) / kLanes;
+  workspace.heads.resize(substeps + 1);
+  workspace.capsules.resize((substeps + 1) * capsules);
+  workspace.boxes.clear();
+  for (std::size_t s = 0; s <= substeps; ++s) {
+    const float t = static_cast<float>(s) / static_cast<float>(substeps);
+    workspace.heads[s] = blend(from, motion.worldFromHead, t);
+    for (std::size_t c = 0; c < capsules; ++c) {
+      const Capsule &before = motion.capsulesBefore[c], &after = motion.capsules[c];
+      workspace.capsules[s * capsules + c] = {glm::mix(before.a, after.a, t),
+                                              glm::mix(before.b, after.b, t),
+                                              glm::mix(before.radius, after.radius, t)};
     }
-  std::array<NearCapsule, kMaxCapsules> near;
-  std::size_t nearCount = 0;
-  for (std::size_t c = 0; c < colliders.capsules.size(); ++c) {
-    const Capsule& capsule = colliders.capsules[c];
-    const glm::vec3 reach(capsule.radius + settings.skin);
-    if (glm::all(glm::lessThan(glm::min(capsule.a, capsule.b) - reach, upper)) &&
-        glm::all(glm::lessThan(lower, glm::max(capsule.a, capsule.b) + reach)))
-      near[nearCount++] = nearCapsule(capsule, colliders.capsulesBefore[c], anchors, settings.skin);
+    appendBoxes(std::span(workspace.capsules).subspan(s * capsules, capsules), skin,
+                workspace.boxes);
   }
-
-  bool swallowed = false;
-  for (std::size_t c = 0; c < nearCount; ++c)
-    for (const Lanes& reach : near[c].reach) swallowed |= any(reach < near[c].full);
-  const auto look = [&](std::uint32_t i, float slack, Clearance clearance) {
-    seenAt[i] = x[i];
-    planes[i] = nearestPlane(x[i], i, way[i], g.clearance[i], colliders, {near.data(), nearCount},
-                             slack, clearance);
-    return clearance;
-  };
-  planes[0] = ContactPlane{{}, lanes(-1e3f), {}, lanes(1e3f)};
-  inverseMass[0] = Lanes{}, touching[0] = LaneMask{}, lambda[0] = Lanes{};
-  Clearance known;
-  for (std::uint32_t i = 1; i < n; ++i) {
-    inverseMass[i] = 1.0f / g.mass[i];
-    touching[i] = LaneMask{}, lambda[i] = Lanes{};
-    way[i] = i > kAnchoredPoints ? way[i - 1] + g.linkLength[i - 1] : Lanes{};
-    known.step(length(x[i] - x[i - 1]), swallowed);
-    known = look(i, 0, known);
-  }
-  // Links drag points off; those that went farther than to the collider they saw must look again,
-  // and if one is inside another collider by now, all is corrected again. The skin is for comfort:
-  // a point pinched between two colliders has to do with a third of it.
-  const float slack = settings.skin * (2.0f / 3.0f);
-  constexpr int kRounds = 3;
-  for (int round = 0; round < kRounds; ++round) {
-    for (int iteration = 0; iteration < settings.iterations; ++iteration) {
-      for (std::uint32_t i = 1; i < n; ++i) {
-        const Lanes depth = planes[i].offset - dot(planes[i].normal, x[i]);
-        const LaneMask inside = depth > 0.0f;
-        touching[i] |= inside;
-        if (!any(inside)) continue;
-        const Lanes push = inside ? depth : lanes(0);
-        x[i] = x[i] + push * planes[i].normal;
-        x[i] = rub(x[i], g.position[i], planes[i], push, settings.friction);
-      }
-      correctLinks(n, g.linkLength, inverseMass.data(), planes.data(), touching.data(),
-                   lambda.data(), x.data());
-    }
-    finishLinks(n, g.linkLength, planes.data(), x.data());
-    bool again = false;
-    for (std::uint32_t i = 1; i < n; ++i) {
-      if (!any(length(x[i] - seenAt[i]) > max(planes[i].distance, lanes(0)) + 0.5f * settings.skin))
-        continue;
-      look(i, slack, {});
-      again |= any(planes[i].distance < 0.0f);
-    }
-    if (!again) break;
-  }
-
-  for (std::uint32_t i = 0; i < links; ++i) g.tension[i] = g.tension[i] - lambda[i] / (h * h);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    g.velocity[i] = lanes(1.0f / h) * (x[i] - g.position[i]);
-    g.position[i] = x[i];
-  }
+  workspace.colliders.clear();
+  for (std::size_t s = 1; s <= substeps; ++s)
+    workspace.colliders.push_back(
+        {glm::mat3_cast(workspace.heads[s].rotation),
+         glm::mat3_cast(workspace.heads[s - 1].rotation), workspace.heads[s].translation,
+         workspace.heads[s - 1].translation,
+         std::span(workspace.capsules).subspan(s * capsules, capsules),
+         std::span(workspace.capsules).subspan((s - 1) * capsules, capsules),
+         std::span(workspace.boxes).subspan(s * boxes, boxes), motion.head});
 }
 
 }  // namespace
@@ -195,50 +310,13 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
       1, static_cast<std::size_t>(std::ceil(seconds / settings.substep - 1e-3f)));
   const float h = seconds / static_cast<float>(substeps);
   factorBending(guides, h, settings.bendDamping, workspace.bending);
-
-  workspace.heads.resize(substeps + 1);
-  workspace.capsules.resize((substeps + 1) * capsules);
-  for (std::size_t s = 0; s <= substeps; ++s) {
-    const float t = static_cast<float>(s) / static_cast<float>(substeps);
-    workspace.heads[s] = blend(guides.worldFromHead, motion.worldFromHead, t);
-    for (std::size_t c = 0; c < capsules; ++c) {
-      const Capsule &from = motion.capsulesBefore[c], &to = motion.capsules[c];
-      workspace.capsules[s * capsules + c] = {glm::mix(from.a, to.a, t), glm::mix(from.b, to.b, t),
-                                              glm::mix(from.radius, to.radius, t)};
-    }
-  }
-
-  const std::size_t n = guides.pointsPerGuide(), links = n - 1;
-  parallelFor(guides.groupCount(), 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      // All substeps of a group in one go: its state stays in the first-level cache.
-      const Group group{static_cast<std::uint32_t>(n),
-                        h,
-                        &guides.position[k * n],
-                        &guides.velocity[k * n],
-                        &guides.tension[k * links],
-                        &guides.restPosition[k * n],
-                        &guides.curvature[k * links],
-                        motion.push.empty() ? nullptr : &motion.push[k * n],
-                        &guides.pointMass[k * n],
-                        &guides.linkLength[k * links],
-                        &guides.jointStiffness[k * links],
-                        &guides.clearance[k * n],
-                        &workspace.bending.inverseD[k * n],
-                        &workspace.bending.below1[k * n],
-                        &workspace.bending.below2[k * n],
-                        guides.rootTangent[k],
-                        guides.rootNormal[k]};
-      for (std::size_t s = 1; s <= substeps; ++s) {
-        const ColliderState colliders{
-            workspace.heads[s], workspace.heads[s - 1],
-            std::span(workspace.capsules).subspan(s * capsules, capsules),
-            std::span(workspace.capsules).subspan((s - 1) * capsules, capsules), motion.head};
-        substep(group, settings, motion, motion.time + static_cast<double>(s - 1) * h, colliders);
-      }
-    }
+  cutFrame(motion, guides.worldFromHead, settings.skin, substeps, workspace);
+  parallelFor(guides.groupCount(), 1, [&](std::size_t begin, std::size_t end) {
+    HWY_DYNAMIC_DISPATCH(stepGroups)(motion, settings, h, workspace, begin, end, guides);
   });
   guides.worldFromHead = motion.worldFromHead;
 }
 
 }  // namespace hair
+
+#endif

@@ -6,6 +6,7 @@
 
 #include <libhair/core/transform.h>
 #include <libhair/guides/bending.h>
+#include <libhair/guides/contact.h>
 #include <libhair/guides/guide_strands.h>
 #include <libhair/motion/colliders.h>
 #include <libhair/motion/wind.h>
@@ -27,15 +28,17 @@ struct GuideMotion {
 /// What stepGuides needs beside its inputs; kept by the caller, grown once.
 struct GuideWorkspace {
   BendingFactors bending;
-  std::vector<RigidTransform> heads;  ///< [substeps + 1]
-  std::vector<Capsule> capsules;      ///< [(substeps + 1) · capsuleCount]
+  std::vector<RigidTransform> heads;        ///< [substeps + 1]
+  std::vector<Capsule> capsules;            ///< [(substeps + 1) · capsuleCount]
+  std::vector<CapsuleBoxes> boxes;          ///< of the same, sixteen at a time
+  std::vector<SubstepColliders> colliders;  ///< [substeps], of all these
 };
 
 /// Moves the guides over one frame of `seconds`. Each substep of length h:
 ///   1. predict: velocity with drag, gravity, push, and the tension of the substep before;
 ///   2. bend: implicit Euler on the bending energy (bending.h), one solve;
-///   3. contact: the nearest collider's plane for each point, with friction (contact.h);
-///   4. links: Newton iterations, all links of a strand at once (links.h), then exact lengths;
+///   3. contact: the nearest collider's plane for each point, with friction (contact-inl.h);
+///   4. links: Newton iterations, all links of a strand at once (links-inl.h), then exact lengths;
 ///   5. velocity = movement / h.
 /// Predicting with the last tension makes a groom at rest a fixed point of every substep, and is a
 /// good start for Newton otherwise.

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <libhair/core/instruction_set.h>
 #include <libhair/core/parallel.h>
 #include <libhair/guides/measure.h>
 #include <libhair/guides/step.h>
@@ -79,6 +80,20 @@ TEST(Guides, SameBitsForAnyThreadCount) {
   }
   EXPECT_EQ(hashes[0], hashes[1]);
   EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+TEST(Guides, SameBitsOnEveryInstructionSet) {
+  const GuideSettings settings;
+  std::vector<std::uint64_t> hashes;
+  for (const std::string_view name : instructionSets()) {
+    const InstructionSetLimit limit(name);
+    GuideStrands guides(sphereGroom(201, 12), settings);
+    shake(guides, settings, 60);
+    StateHash hash;
+    guides.addTo(hash);
+    hashes.push_back(hash.value());
+    EXPECT_EQ(hashes.back(), hashes.front()) << name;
+  }
 }
 
 TEST(Guides, ResetIsTheFirstFrameAgain) {

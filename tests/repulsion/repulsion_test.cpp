@@ -1,8 +1,10 @@
+#include <cstring>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
+#include <libhair/core/instruction_set.h>
 #include <libhair/core/random.h>
 #include <libhair/repulsion/repulsion.h>
 
@@ -75,6 +77,83 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Repels,
                          [](const auto& test) {
                            return test.param == RepulsionKind::Gradient ? "Gradient" : "CellCentre";
                          });
+
+// What repel makes of one point, from the map's own look-ups.
+glm::vec3 literalPush(const DensityMap& map, const RepulsionSettings& settings, float allowed,
+                      glm::vec3 p) {
+  glm::vec3 direction(0);
+  float density = 0;
+  if (settings.kind == RepulsionKind::CellCentre) {
+    const glm::ivec3 cell = map.cellOf(p);
+    const glm::vec3 out = p - map.cellCentre(cell);
+    const float length = glm::length(out);
+    if (length > 0) direction = out / length;
+    density = map.density(cell);
+  } else {
+    const DensitySample sample = sampleDensity(map, p);
+    const float across = settings.cellSize * glm::length(sample.gradient);
+    const float steepness = across / (across + 0.1f * sample.density + 1e-20f);
+    if (across > 0) direction = sample.gradient * (-settings.cellSize / across * steepness);
+    density = sample.density;
+  }
+  const float excess = std::max(0.0f, density / allowed - 1);
+  return std::min(settings.strength * excess, settings.limit) * direction;
+}
+
+TEST_P(Repels, AsTheMapsOwnLookUpsSay) {
+  // Off the hair too, across the map's seam, and in a map that the hair does not fit into.
+  const Bundle bundle(0.06f);
+  GuideStrands guides(bundle.groom, {});
+  RepulsionSettings settings = everyStrand(GetParam());
+  settings.limit = 1e9f;
+  for (const int cells : {4, 64})
+    for (const float away : {0.0f, 37.3f}) {
+      settings.cells = cells;
+      StrandSet drawn = bundle.drawn;
+      for (glm::vec3& p : drawn.points) p.x -= away;
+      for (std::size_t at = 0; at < guides.position.size(); ++at)
+        for (std::uint32_t l = 0; l < kLanes; ++l) {
+          const auto i = static_cast<std::uint32_t>(at * kLanes) + l;
+          setLane(guides.position[at], l,
+                  {0.3f * uniform(i, 3) - 0.15f - away, 0.4f * uniform(i, 4) - 0.1f,
+                   0.3f * uniform(i, 5) - 0.15f});
+        }
+      Repulsion repulsion;
+      allowRestDensity(drawn, bundle.groom.fibre, guides, settings, repulsion);
+      for (Lanes& allowed : repulsion.allowed) allowed = lanes(1e4f);
+      repel(guides, settings, repulsion);
+      repel(guides, settings, repulsion);
+      int pushed = 0;
+      for (std::size_t at = 0; at < repulsion.push.size(); ++at)
+        for (std::size_t l = 0; l < kLanes; ++l) {
+          const glm::vec3 expected =
+              literalPush(repulsion.density, settings, 1e4f, lane(guides.position[at], l));
+          const glm::vec3 got = lane(repulsion.push[at], l);
+          pushed += got != glm::vec3(0);
+          ASSERT_LE(glm::distance(got, expected), 2e-6f * glm::length(expected)) << cells;
+        }
+      EXPECT_GT(pushed, 100);
+    }
+}
+
+TEST_P(Repels, WithTheSameBitsOnEveryInstructionSet) {
+  const Bundle loose(0.06f), tight(0.03f);
+  const GuideStrands guides(loose.groom, {}), pressed(tight.groom, {});
+  const RepulsionSettings settings = everyStrand(GetParam());
+  std::vector<std::vector<LaneVec3>> pushes;
+  for (const std::string_view name : instructionSets()) {
+    const InstructionSetLimit limit(name);
+    Repulsion repulsion;
+    allowRestDensity(loose.drawn, loose.groom.fibre, guides, settings, repulsion);
+    measureDensity(tight.drawn, tight.groom.fibre, settings, repulsion.density);
+    repel(pressed, settings, repulsion);
+    pushes.push_back(repulsion.push);
+    EXPECT_EQ(std::memcmp(pushes[0].data(), repulsion.push.data(),
+                          repulsion.push.size() * sizeof(LaneVec3)),
+              0)
+        << name;
+  }
+}
 
 TEST(Repulsion, DensityIsTheLengthOfHairPerVolume) {
   const Bundle bundle(0.05f);

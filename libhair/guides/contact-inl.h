@@ -1,0 +1,183 @@
+// Colliders of sixteen strands at once; included by the solver's kernel (core/simd-inl.h).
+#if defined(HAIR_GUIDES_CONTACT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAIR_GUIDES_CONTACT_INL_H
+#undef HAIR_GUIDES_CONTACT_INL_H
+#else
+#define HAIR_GUIDES_CONTACT_INL_H
+#endif
+
+#include <span>
+
+#include <libhair/core/simd-inl.h>
+#include <libhair/guides/contact.h>
+#include <libhair/model/mesh_sdf-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hair {
+namespace HWY_NAMESPACE {
+
+// Farther than anything reaches in a substep.
+inline constexpr float kFar = 1e3f;
+// Farther than most points go in a substep: those that do look again (substep).
+inline constexpr float kFarEnough = 0.01f;
+
+/// The half-space normal · x >= offset in which a point of a strand must stay for one substep, and
+/// how far the surface moved in it.
+struct ContactPlane {
+  Vec3 normal;
+  Floats offset;
+  Vec3 surfaceMove;
+  Floats distance;  ///< of the point to the plane when it was found; no collider is nearer
+};
+
+/// A capsule worth looking at.
+struct NearCapsule {
+  glm::vec3 a, axis, moveA, moveAxis;  ///< move...: since the substep before
+  float perAxis2;                      ///< 1 / |axis|², 0 for a sphere
+  /// [i]: how far from its axis point i + 1 must keep; points after the last of them that far plus
+  /// their way along the strand times kReachGrowth; at most `full`.
+  Floats reach[kAnchoredPoints];
+  float full;
+
+  HWY_INLINE Floats reachOf(std::uint32_t point, Floats way) const {
+    return point <= kAnchoredPoints
+               ? reach[point - 1]
+               : min(reach[kAnchoredPoints - 1] + Floats(kReachGrowth) * way, Floats(full));
+  }
+};
+
+/// Where the axis of a capsule is nearest to points: a + t · axis.
+struct Foot {
+  Floats t;
+  Vec3 point;
+};
+
+HWY_INLINE Foot footOf(const NearCapsule& c, const Vec3& p) {
+  const Vec3 a(c.a), axis(c.axis);
+  const Floats t = min(max(Floats(c.perAxis2) * dot(p - a, axis), Floats(0.0f)), Floats(1.0f));
+  return {t, a + t * axis};
+}
+
+/// `anchors`: where the head holds points 1 to kAnchoredPoints of sixteen strands.
+HWY_INLINE void lookAt(const Capsule& now, const Capsule& before, const Vec3* anchors, float skin,
+                       NearCapsule& near) {
+  const glm::vec3 axis = now.b - now.a;
+  const float axis2 = glm::dot(axis, axis);
+  near.a = now.a, near.axis = axis;
+  near.moveA = now.a - before.a, near.moveAxis = (now.b - before.b) - near.moveA;
+  near.perAxis2 = axis2 > 0 ? 1.0f / axis2 : 0.0f;
+  near.full = now.radius + skin;
+  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i) {
+    const Floats kept = length(anchors[i] - footOf(near, anchors[i]).point);
+    near.reach[i] = min(kept + Floats(0.5f * skin), Floats(near.full));
+  }
+}
+
+/// How far points are from body and head at least: what is known before they are looked at, and
+/// more exactly afterwards. A step along a strand takes its length off both; twice that off the
+/// body's where a capsule has swallowed something, as its reach may change as much.
+struct Clearance {
+  Floats body, head;
+
+  HWY_INLINE Clearance() : body(0.0f), head(0.0f) {}
+  HWY_INLINE void step(Floats way, bool swallowed) {
+    body = body - (swallowed ? way + way : way), head = head - way;
+  }
+};
+
+/// All that may be near sixteen strands.
+struct Surroundings {
+  const SubstepColliders& colliders;
+  std::span<const NearCapsule> capsules;
+};
+
+/// Keeps in `best` the plane of a capsule where that is nearer than what it holds; true if it was
+/// anywhere.
+HWY_INLINE bool nearerCapsule(const Vec3& p, const NearCapsule& capsule, Floats reach,
+                              ContactPlane& best) {
+  const Foot foot = footOf(capsule, p);
+  const Vec3 out = p - foot.point;
+  // Most capsules are farther than what is held already: no root is needed to see that.
+  const Floats length2 = dot(out, out), within = best.distance + reach;
+  if (!any(length2 < within * within)) return false;
+  const Floats r = sqrt(length2), d = r - reach;
+  const Mask nearer = d < best.distance;
+  if (!any(nearer)) return false;
+  const Vec3 normal = (Floats(1.0f) / max(r, Floats(1e-9f))) * out;
+  const Vec3 move = Vec3(capsule.moveA) + foot.t * Vec3(capsule.moveAxis);
+  best.normal = select(nearer, normal, best.normal);
+  best.offset = select(nearer, dot(normal, foot.point) + reach, best.offset);
+  best.surfaceMove = select(nearer, move, best.surfaceMove);
+  best.distance = select(nearer, d, best.distance);
+  return true;
+}
+
+/// The same for the head, in the lanes that may be near it; `known` is made exact.
+HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& colliders,
+                           Floats& known, ContactPlane& best) {
+  const Floats enough = kFarEnough;
+  const Mask look = !(known > enough);
+  if (!any(look)) {
+    best.distance = min(known, best.distance);
+    return false;
+  }
+  const SdfLookup head(*colliders.head);
+  const Vec3 local = rotate(glm::transpose(colliders.turn), p - Vec3(colliders.at));
+  const Floats bound = head.lowerBound(local, look) - keep;
+  const Mask near = look & !(bound > enough);
+  Floats d = bound;
+  if (any(near)) d = select(near, head.distance(local, near) - keep, bound);
+  known = select(look, d, known);
+  const Mask nearer = known < best.distance, touches = look & nearer & !(known > enough);
+  best.distance = select(nearer, known, best.distance);
+  best.offset = select(look & nearer, Floats(-kFar), best.offset);
+  if (!any(touches)) return false;
+  const Vec3 normal = rotate(colliders.turn, head.direction(local, touches));
+  const Vec3 move = p - (rotate(colliders.turnBefore, local) + Vec3(colliders.atBefore));
+  best.normal = select(touches, normal, best.normal);
+  best.offset = select(touches, dot(normal, p) - known, best.offset);
+  best.surfaceMove = select(touches, move, best.surfaceMove);
+  return true;
+}
+
+/// The plane of the collider nearest to each of sixteen points (deepest, where inside), which are
+/// points `index` of their strands, `way` metres after the last anchored one. A lane far from
+/// everything gets a plane that never touches; false: all are, and only the distance is set.
+/// Colliders that `clearance` knows to be far are not looked at. `slack`: so many metres less than
+/// asked for need to be kept.
+HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const Floats& way,
+                                      const Floats& headClearance, const Surroundings& around,
+                                      float slack, Clearance& clearance, ContactPlane& plane) {
+  ContactPlane best{Vec3(glm::vec3(0)), -kFar, Vec3(glm::vec3(0)), kFar};
+  bool found = false;
+  if (any(clearance.body < Floats(kFarEnough))) {
+    for (const NearCapsule& capsule : around.capsules)
+      found |= nearerCapsule(p, capsule, capsule.reachOf(index, way) - Floats(slack), best);
+    clearance.body = best.distance;
+  } else {
+    best.distance = clearance.body;
+  }
+  if (around.colliders.head)
+    found |= nearerHead(p, headClearance - Floats(slack), around.colliders, clearance.head, best);
+  if (found)
+    plane = best;
+  else
+    plane.distance = best.distance;
+  return found;
+}
+
+/// Coulomb: of the way along the surface, takes back as much as friction can for this push.
+HWY_INLINE Vec3 rub(const Vec3& x, const Vec3& before, const ContactPlane& plane, Floats depth,
+                    float friction) {
+  const Vec3 moved = x - before - plane.surfaceMove;
+  const Vec3 along = moved - dot(moved, plane.normal) * plane.normal;
+  const Floats way = length(along);
+  const Floats taken = min(Floats(friction) * depth, way) / max(way, Floats(1e-12f));
+  return x - taken * along;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hair
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard
