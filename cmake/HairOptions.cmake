@@ -12,10 +12,10 @@ target_compile_options(hair_options INTERFACE
   # g++ is silent inside system headers; clang reports what libstdc++'s own stable_sort calls.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
   $<$<BOOL:${HAIR_WERROR}>:-Werror>)
-# Kernels (core/simd-inl.h) are compiled for any CPU, and for SSE4, AVX2 and AVX3, or NEON: one
-# that is between two others is not worth its code, and vectors without a size are no members.
+# Kernels (core/simd-inl.h) are compiled for any CPU, and for AVX2 and AVX3, or NEON: instruction
+# sets between those are not worth their code, and vectors without a size are no members.
 target_compile_definitions(hair_options INTERFACE
-  "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
+  "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
 if(HAIR_SANITIZE)
   target_compile_options(hair_options INTERFACE
     -fsanitize=${HAIR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -6,7 +6,7 @@
 namespace hair {
 
 /// Kernels are compiled for several instruction sets, and run with the best that the CPU has. Names
-/// are Google Highway's: "AVX3" (AVX-512), "AVX2", "SSE4", "NEON", "SCALAR" (any CPU) ...
+/// are Google Highway's: "AVX3" (AVX-512), "AVX2", "NEON", "SCALAR" (any CPU: SSE2 on x86-64).
 
 /// The one that kernels use now.
 std::string_view instructionSet();

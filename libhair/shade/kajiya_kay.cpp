@@ -18,6 +18,16 @@ constexpr std::size_t kBatch = 64;
 constexpr std::uint32_t kUseVariation = 0x5aade;
 constexpr float kNearest = 0.01f;  // no light is smaller: closer to one it grows no brighter
 
+// x^y for x in [0, 1]: by squaring where y is a whole number, as it most often is.
+HWY_INLINE Floats power(Floats x, float y) {
+  const auto whole = static_cast<std::uint32_t>(std::min(std::max(y, 0.0f), 1024.0f));
+  if (static_cast<float>(whole) != y) return powApproximate(x, Floats(y));
+  Floats p(1.0f);
+  for (std::uint32_t rest = whole; rest != 0; rest >>= 1, x = x * x)
+    if (rest & 1) p = p * x;
+  return p;
+}
+
 // Points waiting to be shaded, one after another whatever strands they are of.
 struct Batch {
   float red[kBatch + kLanes], green[kBatch + kLanes], blue[kBatch + kLanes];  // of the hair
@@ -122,7 +132,7 @@ struct Shader {
     const Vec3 colour(light.colour);
     const auto highlight = [&](float c, float s, float strength, float exponent) HWY_ATTR {
       const Floats cosine = min(max(cosX * Floats(c) + sinX * Floats(s), zero), one);
-      return Floats(strength) * lit * powApproximate(cosine, Floats(exponent));
+      return Floats(strength) * lit * power(cosine, exponent);
     };
     x.own = x.own + Floats(settings.diffuse) * lit * sinA * colour;
     if (settings.secondSpecular > 0)
