@@ -43,10 +43,10 @@ inline void store(const Floats& v, Lanes& to) {
   to = v.v;
 }
 
-#define HAIR_BINARY(Type, Result, name, op)               \
-  inline Result name(const Type& a, const Type& b) {      \
-    return Result{a.v op b.v};                            \
-  }                                                       \
+#define HAIR_BINARY(Type, Result, name, op)          \
+  inline Result name(const Type& a, const Type& b) { \
+    return Result{a.v op b.v};                       \
+  }                                                  \
   static_assert(true)
 HAIR_BINARY(Floats, Floats, operator+, +);
 HAIR_BINARY(Floats, Floats, operator-, -);
@@ -154,7 +154,8 @@ inline Mask none() {
 }
 /// Lane l where bit l is set.
 inline Mask maskOf(std::uint32_t bits) {
-  const LaneMask lane = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768};
+  const LaneMask lane = {1,   2,   4,    8,    16,   32,   64,    128,
+                         256, 512, 1024, 2048, 4096, 8192, 16384, 32768};
   return {(lane & static_cast<std::int32_t>(bits)) != 0};
 }
 /// The least and the greatest of the lanes.
@@ -216,7 +217,8 @@ inline Pairs gatherPairs(const float* from, const Ints& index) {
   for (std::size_t l = 0; l < kLanes; ++l)
     x.v[l] = xyz[3 * l], y.v[l] = xyz[3 * l + 1], z.v[l] = xyz[3 * l + 2];
 }
-[[gnu::noinline]] inline void storePoints(const Floats& x, const Floats& y, const Floats& z, float* xyz) {
+[[gnu::noinline]] inline void storePoints(const Floats& x, const Floats& y, const Floats& z,
+                                          float* xyz) {
   for (std::size_t l = 0; l < kLanes; ++l)
     xyz[3 * l] = x.v[l], xyz[3 * l + 1] = y.v[l], xyz[3 * l + 2] = z.v[l];
 }
