@@ -210,11 +210,36 @@ struct Strand {
     }
   }
 
+  // Draws a last point that is alone past a whole number of blocks: most are as clear of everything
+  // as the guide's room says, and need no block of their own. False: it must be looked at.
+  HWY_INLINE bool drawTip(glm::vec3* points) const {
+    const std::size_t k = n - 1, samples = wisps.curves.samples;
+    const auto sample = static_cast<std::size_t>(kEven ? k : static_cast<std::size_t>(table[k]));
+    const auto at = [&](int parent, std::size_t component) {
+      const float* x = curves[parent] + component * samples + sample;
+      return glm::vec3(x[0], x[samples], x[2 * samples]);
+    };
+    const glm::vec3 m = at(0, GuideCurves::kPoint);
+    glm::vec3 p = weights.x * m + weights.y * at(1, GuideCurves::kPoint) +
+                  weights.z * at(2, GuideCurves::kPoint);
+    if (!wisps.groom->offsets.empty()) {
+      const glm::vec3 normal = at(0, GuideCurves::kNormal), tangent = at(0, GuideCurves::kTangent);
+      const GuideCurves::Frame f{normal, glm::cross(tangent, normal), tangent};
+      p += f.toWorld(wisps.groom->offsets[first + k]);
+    }
+    points[k] = p;
+    const glm::vec3 away = p - m;
+    const float stray2 = glm::dot(away, away);
+    return (!obstacles.head || stray2 < room[sample]) &&
+           (obstacles.axes.empty() || stray2 < room[samples + sample]);
+  }
+
   HWY_INLINE void draw(glm::vec3* points) const {
     const bool free = obstacles.none();
     // The root stays where it is.
     std::size_t from = 1;
     for (std::size_t k = 0; k < n; k += kLanes, from = k) {
+      if (n > kLanes && k + 1 == n && drawTip(points)) return;
       k = blockAt(k);
       const Block block = multi(k);
       storeBlock(block.point, points + k);

@@ -142,6 +142,26 @@ TEST(Wisps, NoDrawnPointIsLeftInsideACollider) {
   EXPECT_GE(deepest(), -1e-6f);
 }
 
+TEST(Wisps, ATipIsKeptOutOfAColliderThatNothingElseOfItsStrandMeets) {
+  for (const std::uint32_t n : {9u, 16u, 17u, 33u}) {
+    Groom groom;
+    groom.pointsPerGuide = 12;
+    for (const float x : {-0.05f, 0.05f})
+      for (int i = 0; i < 12; ++i)
+        groom.guidePoints.emplace_back(x, 0.3f - 0.6f * static_cast<float>(i) / 11, 0);
+    groom.parents = {{0, 1, 0}};
+    groom.weights = {{0.6f, 0.4f, 0}};
+    groom.first = {0, n};
+    const GuideStrands guides(groom, {});
+    Wisps wisps(groom, guides);
+    const Capsule ball{{0, -0.3f, 0}, {0, -0.3f, 0}, 0.015f};
+    EXPECT_LT(distanceAndGradient(ball, wisps.points[n - 1]).w, -0.004f) << "nothing to avoid";
+    EXPECT_GT(distanceAndGradient(ball, wisps.points[n - 2]).w, 0.003f);
+    interpolateWisps(guides, {{}, {}, {&ball, 1}, {&ball, 1}, nullptr}, wisps);
+    EXPECT_GE(distanceAndGradient(ball, wisps.points[n - 1]).w, -1e-6f) << n << " points";
+  }
+}
+
 TEST(Wisps, SameBitsForAnyThreadCount) {
   std::vector<std::vector<glm::vec3>> results;
   for (int threads : {1, 2, 7}) {
