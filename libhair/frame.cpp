@@ -50,7 +50,8 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
   }
   if (settings.selfCollision) {
     const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
-    measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
+    measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density,
+                   hair.repulsion.pointLength);
     repel(hair.guides, settings.repulsion, hair.repulsion);
   }
   hair.worldFromHead = body.worldFromHead;

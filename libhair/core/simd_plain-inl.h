@@ -52,9 +52,6 @@ HAIR_BINARY(Floats, Floats, operator+, +);
 HAIR_BINARY(Floats, Floats, operator-, -);
 HAIR_BINARY(Floats, Floats, operator*, *);
 HAIR_BINARY(Floats, Floats, operator/, /);
-HAIR_BINARY(Ints, Ints, operator+, +);
-HAIR_BINARY(Ints, Ints, operator-, -);
-HAIR_BINARY(Ints, Ints, operator*, *);
 HAIR_BINARY(Ints, Ints, operator&, &);
 HAIR_BINARY(Ints, Ints, operator|, |);
 HAIR_BINARY(Mask, Mask, operator&, &);
@@ -68,6 +65,21 @@ HAIR_BINARY(Ints, Mask, operator<, <);
 HAIR_BINARY(Ints, Mask, operator>, >);
 HAIR_BINARY(Ints, Mask, operator==, ==);
 #undef HAIR_BINARY
+
+// Numbers with signs must not overflow in C++, but registers turn over.
+using Unsigned [[gnu::vector_size(64)]] = std::uint32_t;
+inline Ints operator+(const Ints& a, const Ints& b) {
+  return Ints(reinterpret_cast<LaneMask>(reinterpret_cast<Unsigned>(a.v) +
+                                         reinterpret_cast<Unsigned>(b.v)));
+}
+inline Ints operator-(const Ints& a, const Ints& b) {
+  return Ints(reinterpret_cast<LaneMask>(reinterpret_cast<Unsigned>(a.v) -
+                                         reinterpret_cast<Unsigned>(b.v)));
+}
+inline Ints operator*(const Ints& a, const Ints& b) {
+  return Ints(reinterpret_cast<LaneMask>(reinterpret_cast<Unsigned>(a.v) *
+                                         reinterpret_cast<Unsigned>(b.v)));
+}
 
 inline Floats operator-(const Floats& a) {
   return Floats(-a.v);
@@ -118,7 +130,7 @@ inline Ints truncate(const Floats& v) {
 }
 template <int kBits>
 inline Ints shiftLeft(const Ints& v) {
-  return Ints(v.v << kBits);
+  return Ints(reinterpret_cast<LaneMask>(reinterpret_cast<Unsigned>(v.v) << kBits));
 }
 /// Arithmetic: negative numbers stay negative.
 template <int kBits>

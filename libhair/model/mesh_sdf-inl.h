@@ -67,7 +67,9 @@ class SdfLookup {
       first = select(wanted, x + dy * y + dz * z, Ints(0));
     }
     HWY_INLINE Floats row(const float* values, int stride, Ints at) const {
-      return gather(values, at) * s.x + gather(values + stride, at) * t.x;
+      if (stride != 1) return gather(values, at) * s.x + gather(values + stride, at) * t.x;
+      const Pairs v = gatherPairs(values, at);
+      return v.first * s.x + v.second * t.x;
     }
     // Every stride-th value.
     HWY_INLINE Floats mix(const float* values, int stride) const {

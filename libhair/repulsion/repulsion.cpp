@@ -218,12 +218,13 @@ void check(const RepulsionSettings& s) {
 }  // namespace
 
 void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSettings& settings,
-                    DensityMap& density) {
+                    DensityMap& density, float pointLength) {
   DensityMapSettings map;
   map.cells = settings.cells;
   map.cellSize = settings.cellSize;
   map.deposit = Deposit::Points;
   map.quantity = Quantity::Length;
+  map.pointLength = pointLength;
   clear(density, map, {});
   deposit(drawn, fibre, density, settings.strandStride);
 }
@@ -231,7 +232,8 @@ void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSetting
 void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& guides,
                       const RepulsionSettings& settings, Repulsion& repulsion) {
   check(settings);
-  measureDensity(drawn, fibre, settings, repulsion.density);
+  repulsion.pointLength = meanPointLength(drawn);
+  measureDensity(drawn, fibre, settings, repulsion.density, repulsion.pointLength);
   const std::uint32_t n = guides.pointsPerGuide();
   repulsion.allowed.assign(guides.position.size(), lanes(0));
   repulsion.push.assign(guides.position.size(), LaneVec3{});

@@ -106,8 +106,9 @@ float smearedOver(const DensityMapSettings& settings) {
   return settings.deposit == Deposit::Trilinear ? 1.5f * settings.cellSize : settings.cellSize;
 }
 
-/// Length of hair that a point stands for: the mean over at most 256 strands in a fixed order.
-float lengthOfPoint(StrandView strands) {
+}  // namespace
+
+float meanPointLength(StrandView strands) {
   const std::size_t step = (strands.strandCount() + 255) / 256;
   std::size_t count = 0;
   for (std::size_t s = 0; s < strands.strandCount(); s += step) count += strands.strand(s).size();
@@ -115,14 +116,18 @@ float lengthOfPoint(StrandView strands) {
                    : 0.0f;
 }
 
+namespace {
+
 /// What one point of Deposit::Points is worth: f · ds, or metres.
 float pointQuantum(StrandView strands, const Fibre& fibre, const DensityMapSettings& settings) {
   const float ds = settings.cellSize;
-  if (settings.quantity == Quantity::Length) return lengthOfPoint(strands) * fibre.hairsPerStrand;
+  if (settings.quantity == Quantity::Length)
+    return (settings.pointLength > 0 ? settings.pointLength : meanPointLength(strands)) *
+           fibre.hairsPerStrand;
   if (settings.pointExtinction > 0) return settings.pointExtinction * ds;
   // Over all directions the sine of the angle to the light is pi / 4 on average.
   constexpr float kMeanSine = 0.785398163f;
-  return lengthOfPoint(strands) * kMeanSine * fibre.width * fibre.hairsPerStrand * fibre.opacity /
+  return meanPointLength(strands) * kMeanSine * fibre.width * fibre.hairsPerStrand * fibre.opacity /
          (ds * ds);
 }
 

@@ -3,6 +3,8 @@
 #include <hwy/foreach_target.h>
 #include <libhair/core/simd-inl.h>
 
+#include <limits>
+
 #include <libhair/core/approximate.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -28,6 +30,13 @@ void turnPoints(const glm::vec3* in, glm::vec3* out) {
   storePoints(cross(p, Vec3(glm::vec3(0, 1, 2))) + dot(p, p) * p, out);
 }
 
+// As unsigned numbers: is a sum less than what was added?
+std::uint32_t carries(const std::int32_t* a, const std::int32_t* b) {
+  const Ints x = loadInts(a), s = x + loadInts(b);
+  const Ints lowest(std::numeric_limits<std::int32_t>::min());
+  return bits((s + lowest) < (x + lowest));
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace hair
 HWY_AFTER_NAMESPACE();
@@ -49,6 +58,7 @@ namespace {
 
 HWY_EXPORT(someOfEverything);
 HWY_EXPORT(turnPoints);
+HWY_EXPORT(carries);
 
 struct Input {
   float a[16], b[16];
@@ -101,6 +111,22 @@ TEST(Simd, AllInstructionSetsGiveTheSameBits) {
     float out[96];
     HWY_DYNAMIC_DISPATCH(someOfEverything)(in.a, in.b, out);
     EXPECT_EQ(std::memcmp(out, best, sizeof out), 0) << name;
+  }
+}
+
+TEST(Simd, WholeNumbersTurnOver) {
+  std::int32_t a[16], b[16];
+  std::uint32_t expected = 0;
+  for (std::uint32_t l = 0; l < 16; ++l) {
+    const auto x = static_cast<std::uint32_t>(4.2e9 * uniform(l, 3)),
+               y = static_cast<std::uint32_t>(4.2e9 * uniform(l, 4));
+    a[l] = static_cast<std::int32_t>(x), b[l] = static_cast<std::int32_t>(y);
+    expected |= x + y < x ? 1u << l : 0u;
+  }
+  ASSERT_NE(expected, 0u);
+  for (const std::string_view name : instructionSets()) {
+    const InstructionSetLimit limit(name);
+    EXPECT_EQ(HWY_DYNAMIC_DISPATCH(carries)(a, b), expected) << name;
   }
 }
 
