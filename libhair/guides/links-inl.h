@@ -108,7 +108,7 @@ HWY_INLINE void finishLinks(std::uint32_t points, const Lanes* linkLength,
     const Vec3 e = x[i + 1] - start;
     // The end first: what follows along the strand waits for it.
     const Vec3 along = (l / max(length(e), Floats(1e-9f))) * e;
-    Vec3 end = start + along, direction = Floats(inverseLength[i]) * along;
+    Vec3 end = start + along;
     if (contacts[i + 1].near) {
       const ContactPlane& plane = contacts[i + 1].plane;
       const Mask inside = dot(plane.normal, end) < plane.offset;
@@ -116,15 +116,16 @@ HWY_INLINE void finishLinks(std::uint32_t points, const Lanes* linkLength,
         // On the circle that the sphere of radius l about x_i cuts out of the plane, the point
         // nearest to where the link points: climb by `rise` along the normal, keep the heading.
         const Floats rise = min(max(plane.offset - dot(plane.normal, start), -l), l);
+        const Vec3 direction = Floats(inverseLength[i]) * along;
         const Vec3 flat = direction - dot(direction, plane.normal) * plane.normal;
         const Floats run =
             sqrt(max(l * l - rise * rise, Floats(0.0f))) / max(length(flat), Floats(1e-9f));
-        const Vec3 way = rise * plane.normal + run * flat;
-        end = select(inside, start + way, end);
-        direction = select(inside, Floats(inverseLength[i]) * way, direction);
+        end = select(inside, start + (rise * plane.normal + run * flat), end);
       }
     }
-    directions[i] = direction;
+    // Of the points as they were rounded: the next substep sees those, and what is not in both of
+    // two strains that it compares would be damped as if it moved.
+    directions[i] = Floats(inverseLength[i]) * (end - start);
     x[i + 1] = start = end;
   }
 }

@@ -159,7 +159,8 @@ void computeTransmittance(DensityMap& map) {
   // share with slices that are not walked, and one more where the modulo comes round.
   const auto runs = static_cast<std::size_t>(map.depth() / brick::kX + 4);
   map.lightIn.reserve((static_cast<std::size_t>(map.bricks.perAxis().x) + 4) * map.bricks.across());
-  map.lightIn.resize(runs * map.bricks.across());
+  // What is never written is read beside the hair, and not used: it has to be some layer.
+  map.lightIn.resize(runs * map.bricks.across(), Transmittances::kFixed);
   const BrickRange across = bricksToRead(map, 1), rows = bricksToRead(map, 2);
   parallelFor(static_cast<std::size_t>(rows.count), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
