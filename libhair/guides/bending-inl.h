@@ -91,7 +91,7 @@ HWY_INLINE void solveBending(const BendingGroup& group, const RootFrame& root,
     force[i + 1] = force[i + 1] - inverseLength * g;
     d = next, dThen = before[i];
     now.over((Floats(1.0f) / max(length(d), Floats(1e-12f))) * d);
-    then.over(dThen);
+    then.over((Floats(1.0f) / max(length(dThen), Floats(1e-12f))) * dThen);
   }
   for (std::uint32_t i = links - 1; i <= links; ++i) {
     const Vec3 swept =
