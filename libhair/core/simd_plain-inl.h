@@ -43,11 +43,13 @@ inline void store(const Floats& v, Lanes& to) {
   to = v.v;
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): an operator stands alone
 #define HAIR_BINARY(Type, Result, name, op)          \
   inline Result name(const Type& a, const Type& b) { \
     return Result{a.v op b.v};                       \
   }                                                  \
   static_assert(true)
+// NOLINTEND(bugprone-macro-parentheses)
 HAIR_BINARY(Floats, Floats, operator+, +);
 HAIR_BINARY(Floats, Floats, operator-, -);
 HAIR_BINARY(Floats, Floats, operator*, *);
