@@ -30,8 +30,9 @@ class Rounder {
   std::uint32_t take(float amount) {
     if (amount >= kWhole) return toCount(amount);
     const auto whole = static_cast<std::int32_t>(amount);
-    return take(whole,
-                static_cast<std::int32_t>((amount - static_cast<float>(whole)) * 65536.0f + 0.5f));
+    const float rest = (amount - static_cast<float>(whole)) * 65536.0f;
+    // As the lanes round, which have no lround. NOLINTNEXTLINE(bugprone-incorrect-roundings)
+    return take(whole, static_cast<std::int32_t>(rest + 0.5f));
   }
   /// Of an amount that is taken apart: whole counts, and parts of 2^-16.
   std::uint32_t take(std::int32_t whole, std::int32_t part) {

@@ -157,7 +157,7 @@ void computeTransmittance(DensityMap& map) {
   findSlices(map);
   // Run 0 is before all hair; then bricks along the light, which the first and the last slice may
   // share with slices that are not walked, and one more where the modulo comes round.
-  const auto runs = static_cast<std::size_t>(map.depth() / brick::kX + 4);
+  const auto runs = static_cast<std::size_t>(map.depth()) / brick::kX + 4;
   map.lightIn.reserve((static_cast<std::size_t>(map.bricks.perAxis().x) + 4) * map.bricks.across());
   // What is never written is read beside the hair, and not used: it has to be some layer.
   map.lightIn.resize(runs * map.bricks.across(), Transmittances::kFixed);

@@ -214,7 +214,7 @@ struct Strand {
   // as the guide's room says, and need no block of their own. False: it must be looked at.
   HWY_INLINE bool drawTip(glm::vec3* points) const {
     const std::size_t k = n - 1, samples = wisps.curves.samples;
-    const auto sample = static_cast<std::size_t>(kEven ? k : static_cast<std::size_t>(table[k]));
+    const auto sample = kEven ? k : static_cast<std::size_t>(table[k]);
     const auto at = [&](int parent, std::size_t component) {
       const float* x = curves[parent] + component * samples + sample;
       return glm::vec3(x[0], x[samples], x[2 * samples]);
