@@ -50,8 +50,7 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
   }
   if (settings.selfCollision) {
     const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
-    measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density,
-                   hair.repulsion.pointLength);
+    measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
     repel(hair.guides, settings.repulsion, hair.repulsion);
   }
   hair.worldFromHead = body.worldFromHead;

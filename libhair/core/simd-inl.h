@@ -45,6 +45,11 @@ HWY_INLINE Ints floorToInt(Floats v) {
   const Ints whole = truncate(v);
   return whole - select(v < toFloats(whole), Ints(1), Ints(0));
 }
+/// Of numbers of 32 bits without signs: rounded once, as the upper half and the lower are exact.
+HWY_INLINE Floats toFloatsUnsigned(Ints v) {
+  const Floats upper = toFloats(shiftRight<16>(v) & Ints(0xffff));
+  return upper * 65536.0f + toFloats(v & Ints(0xffff));
+}
 HWY_INLINE Ints gather(const std::uint32_t* from, Ints index) {
   return gather(reinterpret_cast<const std::int32_t*>(from), index);
 }
@@ -128,6 +133,13 @@ HWY_INLINE Vec3 loadPoints(const glm::vec3* from) {
   Vec3 r;
   loadPoints(&from->x, r.x, r.y, r.z);
   return r;
+}
+/// The first n >= 1 of them; lanes beyond repeat the last.
+HWY_INLINE Vec3 loadPoints(const glm::vec3* from, std::size_t n) {
+  if (HWY_LIKELY(n >= kLanes)) return loadPoints(from);
+  glm::vec3 all[kLanes];
+  for (std::size_t l = 0; l < kLanes; ++l) all[l] = from[l < n ? l : n - 1];
+  return loadPoints(all);
 }
 HWY_INLINE void storePoints(Vec3 v, glm::vec3* to) {
   storePoints(v.x, v.y, v.z, &to->x);

@@ -1,7 +1,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "libhair/repulsion/repulsion.cpp"
 #include <hwy/foreach_target.h>
-#include <libhair/core/simd-inl.h>
+#include <libhair/shadow/cells-inl.h>
 
 #include <libhair/repulsion/repulsion.h>
 
@@ -9,37 +9,26 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// Look-ups in a density map of parallel axes for sixteen points at once: DensityMap::density and
-// sampleDensity, bit for bit.
+// Look-ups in a density map for sixteen points at once: DensityMap::density and sampleDensity, bit
+// for bit.
 class DensityLookup {
  public:
-  explicit DensityLookup(const DensityMap& map)
+  HWY_INLINE explicit DensityLookup(const DensityMap& map)
       : map_(map),
-        table_(map.bricks.slots(0)),
+        codes_(map),
+        slots_(map.bricks.slots(0)),
         counts_(map.bricks.cells(0)),
-        perAxis_(map.bricks.perAxis()),
-        first_(map.wrap(map.lower)),
         perCount_(map.quantum /
                   (map.settings.cellSize * map.settings.cellSize * map.settings.cellSize)) {}
-
-  // Unwrapped cell coordinates.
-  HWY_INLINE Vec3 cellCoordinates(const Vec3& p) const {
-    const CellFrame& frame = map_.frame;
-    const Vec3 u = Vec3(frame.fraction) + rotate(frame.cellFromWorld, p - Vec3(frame.anchor));
-    const Floats most = 1e9f;
-    return {min(max(u.x, -most), most), min(max(u.y, -most), most), min(max(u.z, -most), most)};
-  }
 
   // Which way points are pushed, unit or shorter, and the density there.
   HWY_INLINE void push(RepulsionKind kind, const Vec3& p, Vec3& direction, Floats& density) const {
     if (kind == RepulsionKind::CellCentre) {
-      const Vec3 u = cellCoordinates(p);
-      const Ints i = floorToInt(u.x), j = floorToInt(u.y), k = floorToInt(u.z);
-      const Axis x = axis<0>(i), y = axis<1>(j), z = axis<2>(k);
-      density = densityOf(x, y, z, 0, 0, 0);
+      const Cell c = cellOf(cellCoordinates(map_.frame, p));
+      density = densityOf(c, 0, 0, 0);
       const Floats half = 0.5f;
-      const Vec3 inFrame = Vec3(toFloats(i) + half, toFloats(j) + half, toFloats(k) + half) -
-                           Vec3(map_.frame.fraction);
+      const Vec3 inFrame =
+          Vec3(c.whole.x + half, c.whole.y + half, c.whole.z + half) - Vec3(map_.frame.fraction);
       const Vec3 out = p - (Vec3(map_.frame.anchor) + rotate(map_.frame.worldFromCell, inFrame));
       const Floats l = length(out);
       direction = select(l > Floats(0.0f), (Floats(1.0f) / l) * out, Vec3(glm::vec3(0)));
@@ -57,17 +46,15 @@ class DensityLookup {
 
   // sampleDensity.
   HWY_INLINE void sample(const Vec3& p, Floats& density, Vec3& gradient) const {
-    const Vec3 u = cellCoordinates(p) - Vec3(glm::vec3(0.5f));
-    const Ints i = floorToInt(u.x), j = floorToInt(u.y), k = floorToInt(u.z);
-    const Vec3 f = u - Vec3(toFloats(i), toFloats(j), toFloats(k));
-    const Vec3 g = Vec3(glm::vec3(1)) - f;
-    const Axis x = axis<0>(i), y = axis<1>(j), z = axis<2>(k);
+    const Vec3 u = cellCoordinates(map_.frame, p) - Vec3(glm::vec3(0.5f));
+    const Cell c = cellOf(u);
+    const Vec3 f = u - c.whole, g = Vec3(glm::vec3(1)) - f;
     // Along z, then y, then x; a derivative replaces the mean of two values by their difference.
     Floats alongY[2], acrossY[2], acrossZ[2];
     for (int a = 0; a < 2; ++a) {
       Floats alongZ[2], difference[2];
       for (int b = 0; b < 2; ++b) {
-        const Floats d0 = densityOf(x, y, z, a, b, 0), d1 = densityOf(x, y, z, a, b, 1);
+        const Floats d0 = densityOf(c, a, b, 0), d1 = densityOf(c, a, b, 1);
         alongZ[b] = d0 * g.z + d1 * f.z;
         difference[b] = d1 - d0;
       }
@@ -83,67 +70,44 @@ class DensityLookup {
   }
 
  private:
-  // An axis of a cell and of the one after it: what they add to the number of their brick and to
-  // their number in it, and whether they are within the bounds of the hair.
+  // Of an axis: a cell and the one after it, wrapped, and whether they are within the bounds of the
+  // hair.
   struct Axis {
-    Ints brick[2], offset[2];
+    Ints cell[2];
     Mask inside[2];
   };
+  struct Cell {
+    Vec3 whole;  // unwrapped
+    Axis x, y, z;
+  };
 
-  template <int kAxis>
-  HWY_INLINE Axis axis(Ints cell) const {
-    const int cells = map_.settings.cells, lower = map_.lower[kAxis], upper = map_.upper[kAxis];
-    // Counted from the first cell that holds hair, which is wrapped already.
-    const Ints from = min(max(cell, Ints(lower - 1)), Ints(upper)) - Ints(lower);
-    Axis r;
-    for (int a = 0; a < 2; ++a) {
-      const Ints here = from + Ints(a);
-      r.inside[a] = (cell + Ints(a) > Ints(lower - 1)) & !(cell + Ints(a) > Ints(upper));
-      Ints at = Ints(first_[kAxis]) + max(here, Ints(0));
-      // Whole turns of the map: the second time takes what rounding left of many.
-      for (int time = 0; time < 2; ++time)
-        at = at - Ints(cells) * floorToInt(toFloats(at) * Floats(1.0f / static_cast<float>(cells)));
-      at = at - select(at > Ints(cells - 1), Ints(cells), Ints(0));
-      at = at + select(at < Ints(0), Ints(cells), Ints(0));
-      static_assert(brick::kX == 4 && brick::kY == 16 && brick::kZ == 4);
-      if (kAxis == 0) {
-        r.brick[a] = shiftRight<2>(at) * Ints(perAxis_.y * perAxis_.z);
-        r.offset[a] = shiftLeft<6>(at & Ints(3));
-      } else if (kAxis == 1) {
-        r.brick[a] = shiftRight<4>(at);
-        r.offset[a] = at & Ints(15);
-      } else {
-        r.brick[a] = shiftRight<2>(at) * Ints(perAxis_.y);
-        r.offset[a] = shiftLeft<4>(at & Ints(3));
-      }
-    }
-    return r;
+  HWY_INLINE Axis axisOf(Ints cell, int axis) const {
+    const Ints lower(map_.lower[axis]), upper(map_.upper[axis]), wrapped = codes_.wrap(cell, axis);
+    const auto inside = [&](Ints c) HWY_ATTR { return !((c < lower) | (c > upper)); };
+    return {{wrapped, codes_.next(wrapped)}, {inside(cell), inside(cell + Ints(1))}};
+  }
+  HWY_INLINE Cell cellOf(const Vec3& u) const {
+    const Ints i = floorToInt(u.x), j = floorToInt(u.y), k = floorToInt(u.z);
+    return {{toFloats(i), toFloats(j), toFloats(k)}, axisOf(i, 0), axisOf(j, 1), axisOf(k, 2)};
   }
 
   // DensityMap::density of the first or second cells of three axes.
-  HWY_INLINE Floats densityOf(const Axis& x, const Axis& y, const Axis& z, int a, int b,
-                              int c) const {
-    const Mask inside = x.inside[a] & y.inside[b] & z.inside[c];
+  HWY_INLINE Floats densityOf(const Cell& c, int a, int b, int d) const {
+    const Mask inside = c.x.inside[a] & c.y.inside[b] & c.z.inside[d];
     if (!any(inside)) return 0.0f;
-    const Ints slot = gather(table_, select(inside, x.brick[a] + y.brick[b] + z.brick[c], Ints(0)));
+    const Ints code = codes_.along(c.x.cell[a]) + codes_.across(c.y.cell[b], c.z.cell[d]);
+    const Ints slot = gather(slots_, shiftRight<8>(code));
     const Mask there = inside & (slot > Ints(0));
     if (!any(there)) return 0.0f;
-    // Where no brick is, the first that is made is read for nothing.
-    const Ints at = select(there, shiftLeft<8>(slot) + x.offset[a] + y.offset[b] + z.offset[c],
-                           Ints(brick::kCells));
-    return select(there, toFloatsUnsigned(gather(counts_, at)) * Floats(perCount_), Floats(0.0f));
+    const Ints count = gather(counts_, shiftLeft<8>(slot) + (code & Ints(brick::kCells - 1)));
+    return select(there, toFloatsUnsigned(count) * Floats(perCount_), Floats(0.0f));
   }
 
-  // Of 32 bits without sign: rounded once, as the upper 16 and the lower 16 are exact.
-  static HWY_INLINE Floats toFloatsUnsigned(Ints v) {
-    const Ints upper = shiftRight<16>(v) & Ints(0xffff), lower = v & Ints(0xffff);
-    return toFloats(upper) * Floats(65536.0f) + toFloats(lower);
-  }
-
+  static_assert(brick::kCells == 256);
   const DensityMap& map_;
-  const std::uint32_t* table_;
+  CellCodes codes_;
+  const std::uint32_t* slots_;
   const std::uint32_t* counts_;
-  glm::ivec3 perAxis_, first_;
   float perCount_;
 };
 
@@ -218,13 +182,12 @@ void check(const RepulsionSettings& s) {
 }  // namespace
 
 void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSettings& settings,
-                    DensityMap& density, float pointLength) {
+                    DensityMap& density) {
   DensityMapSettings map;
   map.cells = settings.cells;
   map.cellSize = settings.cellSize;
   map.deposit = Deposit::Points;
   map.quantity = Quantity::Length;
-  map.pointLength = pointLength;
   clear(density, map, {});
   deposit(drawn, fibre, density, settings.strandStride);
 }
@@ -232,8 +195,7 @@ void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSetting
 void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& guides,
                       const RepulsionSettings& settings, Repulsion& repulsion) {
   check(settings);
-  repulsion.pointLength = meanPointLength(drawn);
-  measureDensity(drawn, fibre, settings, repulsion.density, repulsion.pointLength);
+  measureDensity(drawn, fibre, settings, repulsion.density);
   const std::uint32_t n = guides.pointsPerGuide();
   repulsion.allowed.assign(guides.position.size(), lanes(0));
   repulsion.push.assign(guides.position.size(), LaneVec3{});

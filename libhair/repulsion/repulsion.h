@@ -33,14 +33,13 @@ struct Repulsion {
   DensityMap density;          ///< metres of hair per m³
   std::vector<Lanes> allowed;  ///< [groupCount · pointsPerGuide], metres of hair per m³
   std::vector<LaneVec3> push;  ///< the same, m/s²; what stepGuides takes
-  float pointLength = 0;       ///< metres of a drawn strand that a point stands for, at rest
   std::size_t turn = 0;        ///< which half of the groups repel looks at next
 };
 
 /// Fills the map with the drawn hair's length. The map's axes are the world's, not the light's: a
-/// lamp that moves must not move the hair. `pointLength`: see DensityMapSettings.
+/// lamp that moves must not move the hair.
 void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSettings& settings,
-                    DensityMap& density, float pointLength = 0);
+                    DensityMap& density);
 
 /// Learns from guides and drawn hair at rest what density is allowed where. Throws Error for
 /// settings out of range.

@@ -69,10 +69,8 @@ class CellCodes {
     // As numbers without signs, those that are not inside are larger than those that are.
     return minUnsigned(minUnsigned(i, i + Ints(cells_)), i - Ints(cells_));
   }
-  /// The wrapped slice behind a wrapped one.
-  HWY_INLINE Ints behind(Ints x) const {
-    return select(x == Ints(cells_ - 1), Ints(0), x + Ints(1));
-  }
+  /// The wrapped cell after a wrapped one.
+  HWY_INLINE Ints next(Ints x) const { return select(x == Ints(cells_ - 1), Ints(0), x + Ints(1)); }
   /// The two parts of a code, of wrapped cells.
   HWY_INLINE Ints along(Ints x) const {
     return shiftLeft<8>(shiftRight<2>(x) * Ints(across_)) + shiftLeft<6>(x & Ints(brick::kX - 1));

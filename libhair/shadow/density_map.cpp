@@ -18,8 +18,6 @@ void validate(const DensityMapSettings& s) {
           " m; take larger cells");
   require(s.pointExtinction >= 0 && std::isfinite(s.pointExtinction),
           "density map: point extinction ", s.pointExtinction, " is negative or not finite");
-  require(s.pointLength >= 0 && std::isfinite(s.pointLength), "density map: point length ",
-          s.pointLength, " m is negative or not finite");
 }
 
 }  // namespace

@@ -51,10 +51,6 @@ struct DensityMapSettings {
   /// Extinction of one point (the paper's f), 1/metre, Deposit::Points only. 0: chosen so that
   /// points at the strands' mean spacing and all directions alike darken as segments would.
   float pointExtinction = 0;
-  /// Metres of strand that a point stands for, Deposit::Points of Quantity::Length only (a caller
-  /// whose strands keep their lengths need not have them measured again: meanPointLength). 0: their
-  /// mean.
-  float pointLength = 0;
 
   float extent() const { return static_cast<float>(cells) * cellSize; }
 };

@@ -106,29 +106,28 @@ float smearedOver(const DensityMapSettings& settings) {
   return settings.deposit == Deposit::Trilinear ? 1.5f * settings.cellSize : settings.cellSize;
 }
 
-}  // namespace
-
-float meanPointLength(StrandView strands) {
-  const std::size_t step = (strands.strandCount() + 255) / 256;
+/// Metres of strand that a point stands for: the mean over at most 256 of the strands that are
+/// read, every stride-th.
+float lengthOfPoint(StrandView strands, std::uint32_t stride) {
+  const std::size_t read = (strands.strandCount() + stride - 1) / stride;
+  const std::size_t step = (read + 255) / 256 * stride;
   std::size_t count = 0;
   for (std::size_t s = 0; s < strands.strandCount(); s += step) count += strands.strand(s).size();
   return count > 0 ? static_cast<float>(sumOfLengths(strands, step) / static_cast<double>(count))
                    : 0.0f;
 }
 
-namespace {
-
 /// What one point of Deposit::Points is worth: f · ds, or metres.
-float pointQuantum(StrandView strands, const Fibre& fibre, const DensityMapSettings& settings) {
+float pointQuantum(StrandView strands, std::uint32_t stride, const Fibre& fibre,
+                   const DensityMapSettings& settings) {
   const float ds = settings.cellSize;
   if (settings.quantity == Quantity::Length)
-    return (settings.pointLength > 0 ? settings.pointLength : meanPointLength(strands)) *
-           fibre.hairsPerStrand;
+    return lengthOfPoint(strands, stride) * fibre.hairsPerStrand;
   if (settings.pointExtinction > 0) return settings.pointExtinction * ds;
   // Over all directions the sine of the angle to the light is pi / 4 on average.
   constexpr float kMeanSine = 0.785398163f;
-  return meanPointLength(strands) * kMeanSine * fibre.width * fibre.hairsPerStrand * fibre.opacity /
-         (ds * ds);
+  return lengthOfPoint(strands, stride) * kMeanSine * fibre.width * fibre.hairsPerStrand *
+         fibre.opacity / (ds * ds);
 }
 
 /// How long one thread takes for a point, in nanoseconds, roughly: what decides whether there is
@@ -201,8 +200,9 @@ void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint3
   if (strands.pointCount() == 0) return;
   if (map.empty()) {
     map.frame = makeCellFrame(map.light, strands.points.front(), settings.cellSize, settings.cells);
-    map.quantum =
-        settings.deposit == Deposit::Points ? pointQuantum(strands, fibre, settings) : kQuantum;
+    map.quantum = settings.deposit == Deposit::Points
+                      ? pointQuantum(strands, strandStride, fibre, settings)
+                      : kQuantum;
   }
   map.fibreShadow =
       std::max(map.fibreShadow, fibre.width * extinctionOf(fibre, smearedOver(settings)));

@@ -27,7 +27,4 @@ namespace hair {
 void deposit(StrandView strands, const Fibre& fibre, DensityMap& map,
              std::uint32_t strandStride = 1);
 
-/// Metres of strand that a point stands for: the mean over at most 256 strands, in a fixed order.
-float meanPointLength(StrandView strands);
-
 }  // namespace hair

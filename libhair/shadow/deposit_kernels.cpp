@@ -14,10 +14,7 @@ namespace HWY_NAMESPACE {
 
 /// Sixteen points from points[at] on; where the span ends, its last one again and again.
 HWY_INLINE Vec3 pointsFrom(std::span<const glm::vec3> points, std::size_t at) {
-  if (HWY_LIKELY(at + kLanes <= points.size())) return loadPoints(points.data() + at);
-  glm::vec3 each[kLanes];
-  for (std::size_t l = 0; l < kLanes; ++l) each[l] = points[std::min(at + l, points.size() - 1)];
-  return loadPoints(each);
+  return loadPoints(points.data() + at, points.size() - at);
 }
 
 /// The box of all points that were met.
@@ -179,7 +176,7 @@ class Pieces {
     const Ints far = min(truncate(toFloats(amount) * (x - toFloats(slice))), amount);
     const Ints near = codes_.wrap(slice, 0);
     adder_.add(across + codes_.along(near), amount - far);
-    adder_.add(across + codes_.along(codes_.behind(near)), far);
+    adder_.add(across + codes_.along(codes_.next(near)), far);
   }
 
   static constexpr std::size_t kSize = 256;

@@ -5,8 +5,7 @@
 
 #include <hwy/foreach_target.h>
 
-#include <libhair/core/simd-inl.h>
-#include <libhair/shadow/cell_frame-inl.h>
+#include <libhair/shadow/cells-inl.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/footprint-inl.h>
 
@@ -30,12 +29,13 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-/// Look-ups of sixteen cells at once.
+/// Look-ups of transmittance in sixteen cells at once.
 class Cells {
  public:
   HWY_INLINE explicit Cells(const FilterView& view)
       : view_(view),
         map_(view.map),
+        codes_(view.map),
         n_(map_.settings.cells),
         deepest_(map_.depth() - 1),
         aliased_(map_.aliased()) {}
@@ -52,26 +52,12 @@ class Cells {
   HWY_INLINE Slices slices(Ints i) const {
     Ints s = i - Ints(map_.lower.x);
     // Hair deeper than the map: its far end is stored in the slices of its near end (paper, Psi).
-    if (HWY_UNLIKELY(aliased_)) s = each(s, [this](int v) { return v >= n_ ? v % n_ : v; });
+    if (HWY_UNLIKELY(aliased_)) s = comeRound(s);
     const Ints at = min(max(s, Ints(-1)), Ints(deepest_)) + Ints(1);
     return {gather(map_.sliceRun.data(), at), gather(map_.sliceInBrick.data(), at), at == Ints(0),
             at == Ints(1), s > Ints(deepest_)};
   }
-  /// Where unwrapped cells are stored along an axis, from where the map's base is.
-  HWY_INLINE Ints wrap(Ints cell, int base) const {
-    const Ints n(n_);
-    Ints w = cell + Ints(base);
-    w = select(w < Ints(0), w + n, w);
-    w = select(w < n, w, w - n);
-    // Hair is hardly ever farther than a map from its anchor: then no division wraps a cell.
-    if (HWY_UNLIKELY(any((w < Ints(0)) | (w > Ints(n_ - 1)))))
-      w = each(w, [this](int v) { return turn(v); });
-    return w;
-  }
-  HWY_INLINE Ints next(Ints wrapped) const {
-    const Ints w = wrapped + Ints(1);
-    return select(w == Ints(n_), Ints(0), w);
-  }
+  HWY_INLINE const CellCodes& codes() const { return codes_; }
 
   /// Where the value of wrapped cells j, k stands in the back slice, and how far before it that of
   /// the front one does.
@@ -108,7 +94,7 @@ class Cells {
     r.elsewhere = edge | (j == Ints(view_.seam));
     r.anyElsewhere = any(r.elsewhere);
     if (HWY_UNLIKELY(r.anyElsewhere)) {
-      const Place beside = place(s, next(j), k);
+      const Place beside = place(s, codes_.next(j), k);
       r.frontNext = beside.back - beside.toFront, r.backNext = beside.back;
     }
     return r;
@@ -137,20 +123,16 @@ class Cells {
  private:
   static_assert(brick::kX == 4 && brick::kY == 16 && brick::kZ == 4);
 
-  int turn(int i) const {
-    i %= n_;
-    return i < 0 ? i + n_ : i;
-  }
-  template <class Of>
-  static Ints each(Ints v, Of of) {
-    std::int32_t lane[kLanes];
-    store(v, lane);
-    for (std::int32_t& l : lane) l = of(l);
-    return loadInts(lane);
+  HWY_NOINLINE Ints comeRound(Ints slices) const {
+    std::int32_t each[kLanes];
+    store(slices, each);
+    for (std::int32_t& s : each) s = s >= n_ ? s % n_ : s;
+    return loadInts(each);
   }
 
   const FilterView& view_;
   const DensityMap& map_;
+  CellCodes codes_;
   int n_, deepest_;
   bool aliased_;
 };
@@ -162,10 +144,10 @@ HWY_INLINE Floats between(Floats a, Floats b, Floats t) {
 
 /// The values of the points' own cells.
 HWY_INLINE Floats own(const Cells& cells, Vec3 u) {
-  const glm::ivec3 base = cells.map().frame.base;
+  const CellCodes& codes = cells.codes();
   const Ints i = floorToInt(u.x), j = floorToInt(u.y), k = floorToInt(u.z);
   const Floats t =
-      cells.value(cells.place(cells.slices(i), cells.wrap(j, base.y), cells.wrap(k, base.z)).back);
+      cells.value(cells.place(cells.slices(i), codes.wrap(j, 1), codes.wrap(k, 2)).back);
   return select(cells.beside(j, j, k, k), Floats(1.0f), t);
 }
 
@@ -179,14 +161,14 @@ struct Linear {
 
   Linear() = default;
   HWY_INLINE Linear(const Cells& cells, Vec3 u, float shift) {
-    const glm::ivec3 base = cells.map().frame.base;
+    const CellCodes& codes = cells.codes();
     y = u.y - shift, z = u.z - shift;
     const Ints i = floorToInt(u.x), j = floorToInt(y), k = floorToInt(z);
     x = u.x - toFloats(i), y = y - toFloats(j), z = z - toFloats(k);
-    const Ints j0 = cells.wrap(j, base.y), k0 = cells.wrap(k, base.z);
+    const Ints j0 = codes.wrap(j, 1), k0 = codes.wrap(k, 2);
     const Cells::Slices slices = cells.slices(i);
     low = cells.row(slices, j0, k0);
-    high = cells.row(slices, j0, cells.next(k0));
+    high = cells.row(slices, j0, codes.next(k0));
     first = slices.first;
     outside = slices.lit | cells.beside(j, j + Ints(1), k, k + Ints(1));
   }
@@ -310,16 +292,6 @@ HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* 
   }
 }
 
-/// Coordinates of up to sixteen points; those that are not there repeat the last.
-HWY_INLINE Vec3 coordinates(const FilterView& view, const glm::vec3* points, std::size_t count) {
-  glm::vec3 all[kLanes];
-  if (HWY_UNLIKELY(count < kLanes)) {
-    for (std::size_t l = 0; l < kLanes; ++l) all[l] = points[std::min(l, count - 1)];
-    points = all;
-  }
-  return cellCoordinates(view.map.frame, loadPoints(points));
-}
-
 void sampleAll(const FilterView& view, const glm::vec3* points, std::size_t count, float* out) {
   constexpr std::size_t kVectors = 4;
   const Cells cells(view);
@@ -335,7 +307,7 @@ void sampleAll(const FilterView& view, const glm::vec3* points, std::size_t coun
     Linear linear[kVectors];
     for (std::size_t v = 0; v < vectors; ++v) {
       const std::size_t first = p + v * kLanes;
-      const Vec3 u = coordinates(view, points + first, std::min(count - first, kLanes));
+      const Vec3 u = cellCoordinates(view.map.frame, loadPoints(points + first, count - first));
       if (filter == Filter::None)
         store(own(cells, u), t + v * kLanes);
       else if (filter == Filter::Footprint)

@@ -35,10 +35,7 @@ HWY_INLINE void attenuate(const std::uint32_t* counts, Run run, float depth, con
     for (int s = 0; s < run.count; ++s) {
       const Ints count = loadInts(cells + s * brick::kLayer + z * brick::kY);
       if (any(!(count == Ints(0)))) {
-        // In two exact parts: numbers have signs.
-        const Floats n = toFloats(shiftRight<16>(count) & Ints(0xffff)) * 65536.0f +
-                         toFloats(count & Ints(0xffff));
-        t = t * expMinusApproximate(n * depth);
+        t = t * expMinusApproximate(toFloatsUnsigned(count) * depth);
         t = select(t < dark, zero, t);
       }
       to += Transmittances::kLayer;
