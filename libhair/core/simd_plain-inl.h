@@ -121,7 +121,9 @@ inline Ints minUnsigned(const Ints& a, const Ints& b) {
   return select(Ints(a.v ^ sign) < Ints(b.v ^ sign), a, b);
 }
 [[gnu::noinline]] inline Floats sqrt(const Floats& a) {
-  return Floats(hair::sqrt(a.v));
+  Floats r;
+  for (std::size_t l = 0; l < kLanes; ++l) r.v[l] = std::sqrt(a.v[l]);
+  return r;
 }
 inline Floats toFloats(const Ints& v) {
   return Floats(__builtin_convertvector(v.v, Lanes));
@@ -144,10 +146,12 @@ inline Floats abs(const Floats& a) {
 }
 
 inline bool any(const Mask& m) {
-  return hair::any(m.v);
+  std::int32_t bits = 0;
+  for (std::size_t l = 0; l < kLanes; ++l) bits |= m.v[l];
+  return bits != 0;
 }
 inline bool all(const Mask& m) {
-  return !hair::any(~m.v);
+  return !any(!m);
 }
 /// Bit l is lane l.
 [[gnu::noinline]] inline std::uint32_t bits(const Mask& m) {

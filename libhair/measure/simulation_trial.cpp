@@ -51,7 +51,7 @@ struct Start {
   // The same somewhere else.
   Start moved(glm::vec3 by) const {
     Start there = *this;
-    for (LaneVec3& p : there.guides.position) p = p + broadcast(by);
+    for (LaneVec3& p : there.guides.position) p.x = p.x + by.x, p.y = p.y + by.y, p.z = p.z + by.z;
     there.guides.worldFromHead.translation += by;
     for (Capsule& c : there.capsules) c.a += by, c.b += by;
     return there;

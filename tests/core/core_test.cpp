@@ -10,7 +10,6 @@
 #endif
 
 #include <libhair/core/error.h>
-#include <libhair/core/lanes.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/profile.h>
 #include <libhair/core/random.h>
@@ -101,16 +100,6 @@ TEST(Transform, BlendMeetsItsEnds) {
   EXPECT_LT(glm::distance(blend(a, b, 0).point(p), a.point(p)), 1e-6f);
   EXPECT_LT(glm::distance(blend(a, b, 1).point(p), b.point(p)), 1e-6f);
   EXPECT_LT(glm::distance((inverse(a) * a).point(p), p), 1e-6f);
-}
-
-TEST(Lanes, RoundAsScalarsDo) {
-  Lanes a, b;
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    a[l] = uniform(static_cast<std::uint32_t>(l), 0);
-    b[l] = uniform(static_cast<std::uint32_t>(l), 1) + 0.1f;
-  }
-  const Lanes r = sqrt(a) / b + a * b;
-  for (std::size_t l = 0; l < kLanes; ++l) EXPECT_EQ(r[l], std::sqrt(a[l]) / b[l] + a[l] * b[l]);
 }
 
 TEST(StateHash, SeesOneBitAndOrder) {

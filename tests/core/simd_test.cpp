@@ -30,6 +30,13 @@ void turnPoints(const glm::vec3* in, glm::vec3* out) {
   storePoints(cross(p, Vec3(glm::vec3(0, 1, 2))) + dot(p, p) * p, out);
 }
 
+// [16] each.
+void approximations(const float* x, const float* y, float* exp2, float* log2, float* pow) {
+  store(exp2Approximate(loadFloats(y)), exp2);
+  store(log2Approximate(loadFloats(x)), log2);
+  store(powApproximate(loadFloats(x), loadFloats(y)), pow);
+}
+
 // As unsigned numbers: is a sum less than what was added?
 std::uint32_t carries(const std::int32_t* a, const std::int32_t* b) {
   const Ints x = loadInts(a), s = x + loadInts(b);
@@ -43,6 +50,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -59,6 +67,7 @@ namespace {
 HWY_EXPORT(someOfEverything);
 HWY_EXPORT(turnPoints);
 HWY_EXPORT(carries);
+HWY_EXPORT(approximations);
 
 struct Input {
   float a[16], b[16];
@@ -112,6 +121,32 @@ TEST(Simd, AllInstructionSetsGiveTheSameBits) {
     HWY_DYNAMIC_DISPATCH(someOfEverything)(in.a, in.b, out);
     EXPECT_EQ(std::memcmp(out, best, sizeof out), 0) << name;
   }
+}
+
+TEST(Simd, ApproximationsStayWithinTheirStatedErrors) {
+  float x[16], y[16], exp2[16], log2[16], pow[16];
+  double exp2Worst = 0, log2Worst = 0;
+  for (int i = 0; i <= 200000; i += 16) {
+    for (int l = 0; l < 16; ++l) {
+      y[l] = static_cast<float>(i + l - 100000) * 1e-3f;
+      x[l] = std::exp(static_cast<float>(i + l - 100000) * 5e-4f);
+    }
+    HWY_DYNAMIC_DISPATCH(approximations)(x, y, exp2, log2, pow);
+    for (int l = 0; l < 16; ++l) {
+      exp2Worst = std::max(exp2Worst, std::abs(exp2[l] / std::exp2(double{y[l]}) - 1));
+      const double exact = std::log2(double{x[l]});
+      log2Worst = std::max(log2Worst, std::abs(log2[l] - exact) / std::max(1.0, std::abs(exact)));
+    }
+  }
+  EXPECT_LT(exp2Worst, 2e-7);
+  EXPECT_LT(log2Worst, 1e-6);
+  // Powers of parts of one, at the ends too.
+  for (int l = 0; l < 16; ++l)
+    x[l] = static_cast<float>(l) / 15, y[l] = 0.5f + static_cast<float>(l);
+  HWY_DYNAMIC_DISPATCH(approximations)(x, y, exp2, log2, pow);
+  for (int l = 0; l < 16; ++l) EXPECT_NEAR(pow[l], std::pow(x[l], y[l]), 1e-6);
+  EXPECT_EQ(pow[0], 0.0f);
+  EXPECT_EQ(pow[15], 1.0f);
 }
 
 TEST(Simd, WholeNumbersTurnOver) {

@@ -42,25 +42,14 @@ std::vector<float> literalShadow(StrandView strands, const DensityMapSettings& s
 }
 
 TEST(Approximations, StayWithinTheirStatedErrors) {
-  double exp2Worst = 0, expWorst = 0, logWorst = 0;
+  double worst = 0;
   for (int i = 0; i <= 200000; ++i) {
     const float x = static_cast<float>(i) * 69.0f / 200000;
-    expWorst = std::max(expWorst, std::abs(expMinusApproximate(x) * std::exp(double{x}) - 1));
-    const float y = static_cast<float>(i - 100000) * 1e-3f;
-    exp2Worst = std::max(exp2Worst, std::abs(exp2Approximate(y) / std::exp2(double{y}) - 1));
-    const float z = std::exp(static_cast<float>(i - 100000) * 5e-4f);
-    const double exact = std::log2(double{z});
-    logWorst =
-        std::max(logWorst, std::abs(log2Approximate(z) - exact) / std::max(1.0, std::abs(exact)));
+    worst = std::max(worst, std::abs(expMinusApproximate(x) * std::exp(double{x}) - 1));
   }
-  EXPECT_LT(expWorst, 3e-7);
-  EXPECT_LT(exp2Worst, 2e-7);
-  EXPECT_LT(logWorst, 1e-6);
+  EXPECT_LT(worst, 3e-7);
   EXPECT_EQ(expMinusApproximate(0), 1.0f);
-  EXPECT_EQ(exp2Approximate(0), 1.0f);
   EXPECT_GE(expMinusApproximate(1e30f), 0.0f);
-  EXPECT_EQ(powApproximate(0, 3), 0.0f);
-  EXPECT_EQ(powApproximate(1, 3), 1.0f);
 }
 
 TEST(Transmittance, EqualsTheLiteralReference) {
