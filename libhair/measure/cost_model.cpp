@@ -5,13 +5,15 @@
 #include <sstream>
 
 #include <libhair/core/error.h>
+#include <libhair/shadow/brick_store.h>
 #include <libhair/shadow/footprint.h>
 
 namespace hair {
 
 namespace {
 
-constexpr double kBrick = 8;  // cells along an axis
+// Of a cube of as many cells as a brick has.
+const double kBrickSide = std::cbrt(brick::kCells);
 
 double log2Of(double x) {
   return std::log2(1 + x);
@@ -19,34 +21,32 @@ double log2Of(double x) {
 
 CostTerms mapBuild(CostStage stage, const HairFeatures& hair, const DensityMapSettings& s) {
   const double cell = static_cast<double>(s.cellSize);
-  const double rowCells = hair.rows.at(cell) * s.cells;
-  const double brickCells = hair.boxes.at(kBrick * cell) * kBrick * kBrick * kBrick;
+  const double bricks = hair.boxes.at(kBrickSide * cell), brickCells = bricks * brick::kCells;
+  const double places = std::pow(s.cells, 3) / brick::kCells;
   const double missed = hair.coldShare * log2Of(brickCells * sizeof(std::uint32_t) * 1e-6);
   switch (stage) {
     case CostStage::DepositPoints:
-      return {hair.points, 0, rowCells, brickCells, hair.points * missed};
+      return {hair.points, 0, places, brickCells, hair.points * missed};
     case CostStage::DepositTrilinear:
-      return {hair.segments, hair.segments + hair.longestWay / cell, rowCells, brickCells,
+      return {hair.segments, hair.segments + hair.longestWay / cell, places, brickCells,
               (hair.segments + hair.longestWay / cell) * missed};
     case CostStage::DepositColumns:
-      return {hair.segments, hair.pixelsCrossed(cell), rowCells, brickCells,
+      return {hair.segments, hair.pixelsCrossed(cell), places, brickCells,
               hair.pixelsCrossed(cell) * missed};
     default:
-      return {hair.segments, hair.cellsCrossed(cell), rowCells, brickCells,
+      return {hair.segments, hair.cellsCrossed(cell), places, brickCells,
               hair.cellsCrossed(cell) * missed};
   }
 }
 
 CostTerms mapSample(const HairFeatures& hair, const DensityMapSettings& s) {
   const double cell = static_cast<double>(s.cellSize);
-  const double megabytes =
-      hair.boxes.at(kBrick * cell) * kBrick * kBrick * kBrick * sizeof(float) * 1e-6;
+  const double megabytes = hair.boxes.at(kBrickSide * cell) * brick::kCells * sizeof(float) * 1e-6;
   double reads = 1;
   if (s.filter == Filter::Footprint) {
-    constexpr double kLanes = 8;
     const double across = 2 * static_cast<double>(FootprintKernel(s).halfWidth) + 2;
-    // Chunks of lanes that a row of weights fills, on average over where it begins.
-    reads = across * std::max(1.0, (across - 1) / kLanes + 0.5);
+    // Rows of bricks that a row of weights meets, on average over where it begins.
+    reads = across * (1 + (across - 1) / brick::kY);
   }
   return {hair.points, hair.points * reads, hair.points * log2Of(megabytes),
           hair.points * reads * log2Of(megabytes),

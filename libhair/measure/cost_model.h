@@ -54,12 +54,11 @@ struct CostStages {
 CostStages costStages(const ShadowSettings& settings);
 
 /// What a stage does with this hair:
-///  - density map, build: segments (points), cells crossed (samples for Trilinear), cells of rows
-///    that hold hair, cells of bricks of 8^3 that do; of the map's size in memory, whether it keeps
-///    rows or bricks, the fit takes what explains it; and what caches miss: cells crossed ·
+///  - density map, build: segments (points), cells crossed (samples for Trilinear), places of bricks
+///    in the map's table, cells of bricks that hold hair; and what caches miss: cells crossed ·
 ///    coldShare · log2 of its megabytes;
-///  - density map, sample: points, cells read (rows · chunks of lanes for Footprint), points · log2
-///    of the map's megabytes: what caches miss;
+///  - density map, sample: points, cells read (rows of bricks for Footprint), points · log2 of the
+///    map's megabytes: what caches miss;
 ///  - images, build: segments, fragments, words (pixels · layers); with lists of fragments:
 ///    fragments · log2 of the fragments a pixel instead of words, and fragments · clusters; and
 ///    what caches miss;

@@ -92,7 +92,7 @@ HairFeatures hairFeatures(StrandView strands, const LightSpace& light) {
   const double side = extent / kFinest;
   const double steps = hair.segments + hair.longestWay / side;
   const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(steps / kMostSteps)));
-  Marks boxes(kFinest, 3), rows(kFinest, 2), pixels(kFinest, 2);
+  Marks boxes(kFinest, 3), pixels(kFinest, 2);
   // The last strand that went through a box, counted from 1, and how many boxes strands entered.
   std::vector<std::uint32_t> last(std::size_t{kFinest} * kFinest * kFinest);
   double entered = 0, cold = 0;
@@ -111,7 +111,6 @@ HairFeatures hairFeatures(StrandView strands, const LightSpace& light) {
         const glm::vec3 u = a + d * ((static_cast<float>(k) + 0.5f) / static_cast<float>(parts));
         const int x = place(u.x), y = place(u.y), z = place(u.z);
         boxes.mark(y, z, x);
-        rows.mark(x, z, 0);
         pixels.mark(y, z, 0);
         std::uint32_t& stamp =
             last[(static_cast<std::size_t>(x) * kFinest + static_cast<std::size_t>(z)) * kFinest +
@@ -126,7 +125,6 @@ HairFeatures hairFeatures(StrandView strands, const LightSpace& light) {
   }
   hair.coldShare = entered > 0 ? cold / entered : 0;
   hair.boxes = occupied(std::move(boxes), extent);
-  hair.rows = occupied(std::move(rows), extent);
   hair.pixels = occupied(std::move(pixels), extent);
   return hair;
 }

@@ -32,7 +32,6 @@ struct HairFeatures {
     double at(double side) const;
   };
   Occupied boxes;   ///< of three dimensions
-  Occupied rows;    ///< seen along y: (x, z)
   Occupied pixels;  ///< seen by the light: (y, z)
 
   /// Cells of this size that segments enter: one each, and one a wall.

@@ -160,7 +160,7 @@ TEST(CostModel, OccupiedBoxesFollowTheirSize) {
   line.append(std::vector<glm::vec3>{{0, 0, 0}, {0.1f, 0.1f, 0.1f}});
   const HairFeatures hair = hairFeatures(line, makeLightSpace({1, 0, 0}));
   EXPECT_NEAR(hair.boxes.at(1e-3) / hair.boxes.at(2e-3), 2, 0.1);
-  EXPECT_NEAR(hair.rows.at(1e-3) / hair.rows.at(4e-3), 4, 0.4);
+  EXPECT_NEAR(hair.pixels.at(1e-3) / hair.pixels.at(4e-3), 4, 0.4);
   EXPECT_EQ(hair.coldShare, 1);
   for (int again = 0; again < 3; ++again)
     line.append(std::vector<glm::vec3>(line.strand(0).begin(), line.strand(0).end()));
