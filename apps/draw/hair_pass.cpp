@@ -72,6 +72,9 @@ void HairPass::update(const Scene& scene, int shadowSegments) {
     if (hair.strands.pointCount() > 0) box.extend(b.lower), box.extend(b.upper);
 
     glBindVertexArray(layer.array);
+    gl::upload(GL_ARRAY_BUFFER, layer.colours, hair.colours, GL_STREAM_DRAW);
+    if (scene.sideBySide && !hair.leftColours.empty())
+      gl::upload(GL_ARRAY_BUFFER, layer.leftColours, hair.leftColours, GL_STREAM_DRAW);
     gl::upload(GL_ARRAY_BUFFER, layer.points, hair.strands.points, GL_STREAM_DRAW);
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
@@ -105,8 +108,8 @@ void HairPass::draw(const Scene& scene, bool left) {
     glUseProgram(program);
     glUniform3f(gl::uniform(program, "strand"), hair.width, hair.opacity, hair.tipWidth);
     glBindVertexArray(layer.array);
-    gl::upload(GL_ARRAY_BUFFER, layer.colours,
-               left && !hair.leftColours.empty() ? hair.leftColours : hair.colours, GL_STREAM_DRAW);
+    const bool leftOwn = left && !hair.leftColours.empty();
+    glBindBuffer(GL_ARRAY_BUFFER, leftOwn ? layer.leftColours : layer.colours);
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, layer.order);

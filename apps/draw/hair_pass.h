@@ -13,7 +13,8 @@ namespace hair::draw {
 
 class HairPass {
  public:
-  /// Sends points, and what depends on the topology where it has changed; sorts for the camera.
+  /// Sends points and colours, and what depends on the topology where it has changed; sorts for the
+  /// camera. All of a picture is sent here, once.
   /// `shadowSegments`: at most about so many cast the shadow (every k-th strand, k times as dense).
   void update(const Scene& scene, int shadowSegments);
 
@@ -30,7 +31,7 @@ class HairPass {
  private:
   struct Layer {
     gl::VertexArray array;
-    gl::Buffer points, colours, along, order, casters;
+    gl::Buffer points, colours, leftColours, along, order, casters;
     HairOrder sorted;
     GLsizei indexCount = 0, casterCount = 0;
     float casterWeight = 1;

@@ -1,7 +1,9 @@
 #include <apps/draw/mesh_store.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <utility>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -11,25 +13,35 @@
 namespace hair::draw {
 namespace {
 
-/// Multiply and rotate, eight bytes at a time: only tells apart contents of one program's meshes.
-std::uint64_t hashBytes(std::uint64_t hash, const void* data, std::size_t size) {
-  const char* bytes = static_cast<const char*>(data);
-  for (std::size_t i = 0; i < size; i += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes + i, std::min<std::size_t>(8, size - i));
-    hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
-    hash ^= hash >> 29;
+// Only tells apart contents of one program's meshes. Four chains, so that no product waits for the
+// one before.
+template <class T>
+std::uint64_t contentHash(std::span<const T> values) {
+  const char* const bytes = reinterpret_cast<const char*>(values.data());
+  const std::size_t size = values.size_bytes();
+  std::array<std::uint64_t, 4> hash{size, 1, 2, 3}, words{};
+  const auto mix = [&] {
+    for (std::size_t k = 0; k < hash.size(); ++k) {
+      hash[k] = (hash[k] ^ words[k]) * 0x9E3779B97F4A7C15u;
+      hash[k] ^= hash[k] >> 29;
+    }
+  };
+  std::size_t i = 0;
+  for (; i + sizeof words <= size; i += sizeof words) {
+    std::memcpy(words.data(), bytes + i, sizeof words);
+    mix();
   }
-  return hash;
+  words = {};
+  if (i < size) std::memcpy(words.data(), bytes + i, size - i);
+  mix();
+  return hash[0] + 3 * hash[1] + 5 * hash[2] + 7 * hash[3];
 }
 
-std::uint64_t contentHash(const MeshLayer& layer) {
-  const TriangleMesh& mesh = *layer.mesh;
-  std::uint64_t h = mesh.positions.size() * 31 + mesh.triangles.size();
-  h = hashBytes(h, mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
-  h = hashBytes(h, mesh.normals.data(), mesh.normals.size() * sizeof(glm::vec3));
-  h = hashBytes(h, layer.vertexColours.data(), layer.vertexColours.size_bytes());
-  return hashBytes(h, mesh.triangles.data(), mesh.triangles.size() * sizeof(glm::uvec3));
+// Whether `hash` was of something else; it is of the values then.
+template <class T>
+bool renew(std::uint64_t& hash, std::span<const T> values) {
+  const std::uint64_t now = contentHash(values);
+  return std::exchange(hash, now) != now;
 }
 
 }  // namespace
@@ -57,34 +69,42 @@ void MeshStore::update(const Scene& scene) {
             layer.vertexColours.size(), " colours");
     Entry& entry = entries[layer.mesh];
     entry.used = true;
-    const std::uint64_t hash = contentHash(layer);
-    if (entry.hash == hash && entry.indexCount > 0) continue;
-    entry.hash = hash;
-    entry.indexCount = GLsizei(3 * mesh.triangles.size());
-    entry.bounds = bounds(mesh.positions);
-    std::vector<glm::vec3> both;
-    both.reserve(2 * mesh.positions.size());
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      both.push_back(mesh.positions[i]);
-      both.push_back(mesh.normals[i]);
-    }
     glBindVertexArray(entry.array);
-    gl::upload<glm::vec3>(GL_ARRAY_BUFFER, entry.vertices, both, GL_STATIC_DRAW);
-    gl::upload<glm::uvec3>(GL_ELEMENT_ARRAY_BUFFER, entry.triangles, mesh.triangles,
-                           GL_STATIC_DRAW);
-    both.assign(mesh.positions.size(), glm::vec3(1));
-    std::ranges::copy(layer.vertexColours, both.begin());
-    gl::upload<glm::vec3>(GL_ARRAY_BUFFER, entry.colours, both, GL_STATIC_DRAW);
-    glEnableVertexAttribArray(2);
-    glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
-    glBindBuffer(GL_ARRAY_BUFFER, entry.vertices);
-    for (GLuint i : {0u, 1u}) {
-      glEnableVertexAttribArray(i);
-      glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 2 * sizeof(glm::vec3),
-                            reinterpret_cast<const void*>(i * sizeof(glm::vec3)));
+    const bool bent = renew<glm::vec3>(entry.positions, mesh.positions);
+    if (renew<glm::vec3>(entry.normals, mesh.normals) || bent) updateVertices(entry, mesh);
+    if (renew<glm::uvec3>(entry.topology, mesh.triangles)) {
+      gl::upload<glm::uvec3>(GL_ELEMENT_ARRAY_BUFFER, entry.triangles, mesh.triangles,
+                             GL_STATIC_DRAW);
+      entry.indexCount = GLsizei(3 * mesh.triangles.size());
     }
+    if (renew(entry.tints, layer.vertexColours) || entry.tinted != mesh.positions.size())
+      updateColours(entry, layer);
   }
   std::erase_if(entries, [](const auto& item) { return !item.second.used; });
+}
+
+void MeshStore::updateVertices(Entry& entry, const TriangleMesh& mesh) {
+  scratch.clear();
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    scratch.push_back(mesh.positions[i]);
+    scratch.push_back(mesh.normals[i]);
+  }
+  gl::upload<glm::vec3>(GL_ARRAY_BUFFER, entry.vertices, scratch, GL_STREAM_DRAW);
+  for (GLuint i : {0u, 1u}) {
+    glEnableVertexAttribArray(i);
+    glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 2 * sizeof(glm::vec3),
+                          reinterpret_cast<const void*>(i * sizeof(glm::vec3)));
+  }
+  entry.bounds = bounds(mesh.positions);
+}
+
+void MeshStore::updateColours(Entry& entry, const MeshLayer& layer) {
+  entry.tinted = layer.mesh->positions.size();
+  scratch.assign(entry.tinted, glm::vec3(1));
+  std::ranges::copy(layer.vertexColours, scratch.begin());
+  gl::upload<glm::vec3>(GL_ARRAY_BUFFER, entry.colours, scratch, GL_STATIC_DRAW);
+  glEnableVertexAttribArray(2);
+  glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
 }
 
 Bounds MeshStore::worldBounds(const Scene& scene) const {

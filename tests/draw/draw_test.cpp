@@ -382,6 +382,29 @@ TEST_F(Drawing, MeshesMayChangeBetweenPictures) {
   EXPECT_EQ(before, renderer.read());
 }
 
+TEST_F(Drawing, AnyPartOfAMeshMayChangeAlone) {
+  addHead();
+  Renderer renderer;
+  const auto drawnNow = [&] {
+    renderer.draw(scene, 160, 120);
+    return renderer.read();
+  };
+  const Picture before = drawnNow();
+  const std::vector<glm::vec3> black(head.positions.size(), glm::vec3(0));
+  scene.meshes[0].vertexColours = black;
+  EXPECT_FALSE(before == drawnNow()) << "colours";
+  scene.meshes[0].vertexColours = {};
+  EXPECT_EQ(before, drawnNow()) << "no colours again";
+  const TriangleMesh whole = head;
+  head.triangles.resize(head.triangles.size() / 2);
+  EXPECT_FALSE(before == drawnNow()) << "triangles";
+  head = whole;
+  for (glm::vec3& n : head.normals) n = {0, -1, 0};
+  EXPECT_FALSE(before == drawnNow()) << "normals";
+  head = whole;
+  EXPECT_EQ(before, drawnNow());
+}
+
 TEST_F(Drawing, DebugLinesShowThroughTheHead) {
   addHead();
   scene.debug.capsule({{0, 0.25f, 0}, {0, 0.35f, 0}, 0.05f}, packColour({1, 0, 0, 1}));
