@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include <apps/common/performance.h>
 
@@ -13,7 +14,12 @@ struct ResultFiles {
   bool hash = false;              ///< last line: `hash` and 16 hexadecimal digits
 };
 
-/// Writes what was asked for, prints the median time of a frame, and the hash last.
-void writeResults(const ResultFiles& files, const Performance& performance, const StatsLog& stats);
+/// Writes what was asked for, prints the median time of a frame of the log, and the hash last.
+void writeResults(const ResultFiles& files, const Performance& performance, const ProfileLog& log,
+                  const StatsLog& stats);
+
+/// One line: medians of the log's frames without Stage::Draw and of Stage::Draw alone, and how many
+/// frames a second that makes without drawing and with it. `drawnBy`: what drew, or empty.
+std::string drawingTimes(const ProfileLog& log, const std::string& drawnBy);
 
 }  // namespace hair

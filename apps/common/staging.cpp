@@ -1,6 +1,7 @@
 #include <apps/common/staging.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include <libhair/core/parallel.h>
@@ -59,6 +60,7 @@ std::vector<float> bareness(const Performance& performance) {
 Staging::Staging(Performance& performance)
     : performance_(performance), bare_(bareness(performance)) {
   const Subject& subject = performance.subject;
+  performance.settings.shade = false;
   scene.lights = performance.settings.lights;
   headBefore_ = performance.pose.worldFromHead.point(skull(subject));
   scene.ground.height = subject.motion.floorHeight();
@@ -127,9 +129,10 @@ void Staging::updateHair(draw::Renderer& renderer) {
   if (scene.lights != settings.lights) {
     settings.lights = scene.lights;
     performance_.relight();
-  } else {
-    shadeKajiyaKay(hair.strands(), hair.illumination(settings), settings.look, hair.colours);
   }
+  hair.colours.resize(points);
+  const StageTimer timer(performance_.profile, Stage::Shade, static_cast<std::int64_t>(points));
+  shadeKajiyaKay(hair.strands(), hair.illumination(settings), settings.look, hair.colours);
   if (scene.sideBySide) {
     unshadowed_.resize(hair.colours.size());
     Illumination unshadowed = hair.illumination(settings);
@@ -171,6 +174,8 @@ void Staging::updateInternals() {
 }
 
 const draw::Scene& Staging::update(draw::Renderer& renderer) {
+  // A frame that stands still is drawn more than once.
+  stageTime(Stage::Shade) = stageTime(Stage::Draw) = {};
   const glm::vec3 head = performance_.pose.worldFromHead.point(skull(performance_.subject));
   if (follow) scene.camera.target += head - headBefore_;
   headBefore_ = head;
@@ -178,6 +183,16 @@ const draw::Scene& Staging::update(draw::Renderer& renderer) {
   updateHair(renderer);
   updateInternals();
   return scene;
+}
+
+void Staging::drawTimed(draw::Renderer& renderer, int width, int height) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  renderer.draw(update(renderer), width, height);
+  renderer.finish();
+  const std::chrono::nanoseconds whole = Clock::now() - start;
+  stageTime(Stage::Draw) = {whole.count() - stageTime(Stage::Shade).nanoseconds,
+                            static_cast<std::int64_t>(scene.hair[0].strands.pointCount())};
 }
 
 }  // namespace hair

@@ -16,7 +16,8 @@ struct InternalsShown {
 };
 
 /// Puts a performance on a stage: head, body and hair as layers of a scene, the hair shaded for the
-/// scene's camera and lights, with the meshes' shadow on it.
+/// scene's camera and lights, with the meshes' shadow on it. The performance's own frames are no
+/// longer shaded then: nobody would see it.
 class Staging {
  public:
   explicit Staging(Performance& performance);
@@ -27,9 +28,14 @@ class Staging {
   /// metres; the camera then goes with the head (`follow`), but does not turn with it.
   void frameHead(float yaw, float pitch, float distance);
 
-  /// Brings the scene up to date with the performance and shades it. `renderer` makes the shadow
-  /// of head and body on the hair.
+  /// Brings the scene up to date with the performance and shades it; the frame's profile says what
+  /// the shading took. `renderer` makes the shadow of head and body on the hair.
   const draw::Scene& update(draw::Renderer& renderer);
+
+  /// Updates, draws, and waits for the picture of so many pixels. What that took beside the shading
+  /// is Stage::Draw of the frame's profile: the head's shadow on the hair, sorting, sending,
+  /// rasterising.
+  void drawTimed(draw::Renderer& renderer, int width, int height);
 
   draw::Scene scene;  ///< camera, lights and ground may be changed between updates
   InternalsShown shown;
@@ -41,6 +47,9 @@ class Staging {
   void updateMeshes();
   void updateHair(draw::Renderer& renderer);
   void updateInternals();
+  StageTime& stageTime(Stage stage) {
+    return performance_.profile[static_cast<std::size_t>(stage)];
+  }
 
   Performance& performance_;
   TriangleMesh body_;

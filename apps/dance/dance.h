@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include <apps/common/performance.h>
 #include <apps/common/results.h>
@@ -22,6 +23,9 @@ struct DanceOptions {
   std::filesystem::path out = "dance.mp4";     ///< --out; the contact sheet has its name and .png
   ResultFiles results;                         ///< --profile, --stats, --hash
 };
+
+/// What draws, in words for drawingTimes: "the CPU (llvmpipe ...)", or the graphics card's name.
+std::string drawnBy();
 
 /// Simulates the motion and leaves a video and a contact sheet. Returns the exit code.
 int runHeadless(const DanceOptions& options);

@@ -1,6 +1,6 @@
 #include <cmath>
 #include <iostream>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include <apps/common/progress.h>
@@ -18,6 +18,11 @@ namespace {
 constexpr int kSheetColumns = 4, kSheetRows = 4;
 
 }  // namespace
+
+std::string drawnBy() {
+  const std::string name = draw::rendererName();
+  return draw::drawsOnCpu(name) ? "the CPU (" + name + ")" : name;
+}
 
 int runHeadless(const DanceOptions& options) {
   const draw::OffscreenContext context;
@@ -43,12 +48,14 @@ int runHeadless(const DanceOptions& options) {
   std::vector<draw::Picture> sheet;
   draw::Picture picture;
   StatsLog stats;
+  ProfileLog drawn;  // of the frames that there is a picture of
   Progress progress("dance", frames);
   for (int f = 0; f < frames; ++f) {
     performance.step();
     if (!options.results.stats.empty()) stats.add(performance);
     if (f % stride == 0) {
-      renderer.draw(staging.update(renderer), options.width, options.height);
+      staging.drawTimed(renderer, options.width, options.height);
+      drawn.add(performance.profile);
       renderer.read(picture);
       video.add(picture);
       // Tile t of the sheet is the picture nearest to t / tiles of the whole.
@@ -66,8 +73,9 @@ int runHeadless(const DanceOptions& options) {
       draw::contactSheet(sheet, std::min<int>(kSheetColumns, static_cast<int>(sheet.size()))),
       sheetFile);
   std::cout << options.out.string() << " and " << sheetFile.string() << ": " << pictures
-            << " pictures of " << frames << " frames\n";
-  writeResults(options.results, performance, stats);
+            << " pictures of " << frames << " frames\n"
+            << drawingTimes(drawn, drawnBy()) << '\n';
+  writeResults(options.results, performance, drawn, stats);
   return 0;
 }
 

@@ -33,7 +33,10 @@ class Recent {
   std::vector<T> items_;
 };
 
-/// What the last frames of the simulation and the last pictures cost.
+/// The drawing comes after all other stages.
+inline constexpr auto kDrawStage = static_cast<std::size_t>(Stage::Draw);
+
+/// What the last frames that were drawn and the last pictures cost.
 struct History {
   Recent<FrameProfile> frames{200};
   Recent<float> pictures{200};  ///< milliseconds of drawing
@@ -43,10 +46,10 @@ inline float milliseconds(const StageTime& time) {
   return static_cast<float>(time.nanoseconds) * 1e-6f;
 }
 
-/// All stages of a frame together, milliseconds.
-inline float milliseconds(const FrameProfile& frame) {
+/// All stages of a frame but its drawing together, milliseconds.
+inline float withoutDrawing(const FrameProfile& frame) {
   float sum = 0;
-  for (const StageTime& time : frame) sum += milliseconds(time);
+  for (std::size_t s = 0; s < kDrawStage; ++s) sum += milliseconds(frame[s]);
   return sum;
 }
 

@@ -8,6 +8,7 @@
 #include <apps/dance/pace.h>
 #include <apps/dance/panel.h>
 #include <apps/dance/show.h>
+#include <apps/draw/gl_context.h>
 #include <apps/draw/window.h>
 #include <libhair/core/error.h>
 
@@ -46,6 +47,7 @@ class Interactive {
   Controls controls_;
   Readout readout_;
   bool panelShown_ = true, stepAsked_ = false;
+  bool moved_ = false;  // since the last picture
   Pace pace_;
   double secondsAPicture_ = 0, simulatedAPicture_ = 0;  // averages
   StatsLog stats_;
@@ -58,7 +60,7 @@ Interactive::Interactive(const DanceOptions& options)
       window_("dance", options.width, options.height),
       controls_(controlsOf(options)),
       pace_(options.performance.fps) {
-  readout_.softwareDrawing = window_.softwareDrawing();
+  readout_.softwareDrawing = draw::drawsOnCpu(draw::rendererName());
   readout_.hairFile = options.subject.hair.filename().string();
   if (readout_.softwareDrawing) controls_.samples = 1;
   makeRenderer();
@@ -109,7 +111,7 @@ void Interactive::obey(const Requests& asked, const draw::WindowRequests& keys) 
 
 void Interactive::stepOnce() {
   show_->performance.step();
-  readout_.history.frames.add(show_->performance.profile);
+  moved_ = true;
   if (!options_.results.stats.empty()) stats_.add(show_->performance);
   if (++framesDone_ == options_.frames) window_.close();
 }
@@ -128,13 +130,17 @@ void Interactive::simulate(double seconds) {
 
 void Interactive::drawPicture(bool aboutToGrow) {
   if (aboutToGrow) drawNotice("Growing hair, please wait ...");
-  const auto start = Clock::now();
-  renderer_->draw(show_->staging.update(*renderer_), window_.width(), window_.height());
+  Staging& staging = show_->staging;
+  const FrameProfile& profile = show_->performance.profile;
   // Waiting for the picture keeps the CPU from running ahead: only while someone looks at times.
   if (panelShown_ && readout_.timesShown) {
-    window_.finish();
-    readout_.history.pictures.add(static_cast<float>(1e3 * secondsSince(start)));
+    staging.drawTimed(*renderer_, window_.width(), window_.height());
+    readout_.history.pictures.add(milliseconds(profile[kDrawStage]));
+    if (moved_) show_->drawn.add(profile);
+  } else {
+    renderer_->draw(staging.update(*renderer_), window_.width(), window_.height());
   }
+  if (std::exchange(moved_, false)) readout_.history.frames.add(profile);
   window_.endFrame(*renderer_);
 }
 
@@ -163,7 +169,10 @@ int Interactive::run() {
       fresh = true;  // that was no time to catch up with
     }
   }
-  writeResults(options_.results, show_->performance, stats_);
+  const ProfileLog& drawn = show_->drawn;
+  std::cout << drawingTimes(drawn, drawnBy()) << '\n';
+  writeResults(options_.results, show_->performance,
+               drawn.frameCount() > 0 ? drawn : show_->performance.log, stats_);
   return 0;
 }
 

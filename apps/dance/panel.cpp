@@ -226,7 +226,7 @@ Requests drawPanel(Controls& c, Readout& r) {
     section("Wind", false, [&] { drawWind(c.wind); });
     section("Picture", false, [&] { drawPicture(c, r); });
     section("Internals", false, [&] { drawInternals(c); });
-    r.timesShown = section("Times", true, [&] { drawTimes(r.history); });
+    r.timesShown = section("Times", true, [&] { drawTimes(r.history, r.softwareDrawing); });
     section("Keys", false, [] {
       ImGui::TextWrapped(
           "left drag: turn; middle drag: slide; wheel: nearer or away; right drag, or shift and "

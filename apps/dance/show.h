@@ -26,6 +26,7 @@ class Show {
   Subject subject;
   Performance performance;
   Staging staging;
+  ProfileLog drawn;  ///< of the frames whose drawing was timed
 
  private:
   Controls applied_;

@@ -12,7 +12,7 @@ namespace hair {
 
 namespace {
 
-constexpr std::array<ImU32, kStageCount> kStageColours = {
+constexpr std::array<ImU32, kDrawStage> kStageColours = {
     IM_COL32(150, 150, 150, 255),  // motion
     IM_COL32(86, 180, 233, 255),   // guides
     IM_COL32(0, 114, 178, 255),    // wisps
@@ -21,7 +21,6 @@ constexpr std::array<ImU32, kStageCount> kStageColours = {
     IM_COL32(213, 94, 0, 255),     // transmittance
     IM_COL32(240, 228, 66, 255),   // filter
     IM_COL32(0, 158, 115, 255),    // shade
-    IM_COL32(255, 255, 255, 255),  // draw
 };
 
 // The least of 1, 2, 5, 10, 20 ... that is at least x.
@@ -34,8 +33,7 @@ float roundedUp(float x) {
 
 void drawBars(const Recent<FrameProfile>& frames) {
   // By the median: one late frame must not flatten all others. It is cut off at the top.
-  const float top = roundedUp(
-      2 * medianOf(frames, [](const FrameProfile& frame) { return milliseconds(frame); }));
+  const float top = roundedUp(2 * medianOf(frames, withoutDrawing));
 
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::GetContentRegionAvail().x, 6 * ImGui::GetFontSize()};
@@ -48,7 +46,7 @@ void drawBars(const Recent<FrameProfile>& frames) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const float right = corner.x + size.x - wide * static_cast<float>(frames.size() - 1 - i);
     float y = corner.y + size.y;
-    for (std::size_t s = 0; s < kStageCount; ++s) {
+    for (std::size_t s = 0; s < kDrawStage; ++s) {
       const float high = size.y * milliseconds(frames[i][s]) / top;
       if (high > 0) list.AddRectFilled({right - wide, y - high}, {right, y}, kStageColours[s]);
       y -= high;
@@ -78,28 +76,30 @@ void drawRow(ImU32 colour, const char* name, float median, float last) {
 
 }  // namespace
 
-void drawTimes(const History& history) {
+void drawTimes(const History& history, bool drawnByCpu) {
   const auto& frames = history.frames;
-  ImGui::Text("last %d frames of the simulation", static_cast<int>(frames.size()));
+  ImGui::Text("last %d frames, without drawing", static_cast<int>(frames.size()));
   drawBars(frames);
   if (frames.size() > 0 && ImGui::BeginTable("times", 3, ImGuiTableFlags_SizingStretchProp)) {
     ImGui::TableSetupColumn("stage");
     ImGui::TableSetupColumn("median ms");
     ImGui::TableSetupColumn("last ms");
     ImGui::TableHeadersRow();
-    for (std::size_t s = 0; s < kStageCount; ++s) {
+    for (std::size_t s = 0; s < kDrawStage; ++s) {
       const float median =
           medianOf(frames, [s](const FrameProfile& frame) { return milliseconds(frame[s]); });
       const float last = milliseconds(frames.last()[s]);
       if (median > 0 || last > 0)
         drawRow(kStageColours[s], stageName(static_cast<Stage>(s)).data(), median, last);
     }
-    drawRow(0, "frame",
-            medianOf(frames, [](const FrameProfile& frame) { return milliseconds(frame); }),
-            milliseconds(frames.last()));
+    const float frame = medianOf(frames, withoutDrawing), last = withoutDrawing(frames.last());
+    drawRow(0, "without drawing", frame, last);
     const auto& pictures = history.pictures;
-    if (pictures.size() > 0)
-      drawRow(0, "drawing", medianOf(pictures, [](float ms) { return ms; }), pictures.last());
+    if (pictures.size() > 0) {
+      const float drawing = medianOf(pictures, [](float ms) { return ms; });
+      drawRow(0, drawnByCpu ? "drawing, by the CPU" : "drawing", drawing, pictures.last());
+      drawRow(0, "with drawing", frame + drawing, last + pictures.last());
+    }
     ImGui::EndTable();
   }
   if (history.pictures.size() > 1) {

@@ -63,8 +63,18 @@ void OffscreenContext::makeCurrent() {
 }
 
 std::string OffscreenContext::description() const {
-  return text(reinterpret_cast<const char*>(glGetString(GL_RENDERER)), ", OpenGL ",
-              reinterpret_cast<const char*>(glGetString(GL_VERSION)));
+  return text(rendererName(), ", OpenGL ", reinterpret_cast<const char*>(glGetString(GL_VERSION)));
+}
+
+std::string rendererName() {
+  const auto* bytes = glGetString(GL_RENDERER);
+  return bytes ? reinterpret_cast<const char*>(bytes) : "";
+}
+
+bool drawsOnCpu(std::string_view rendererName) {
+  for (const std::string_view software : {"llvmpipe", "softpipe", "SwiftShader", "Software"})
+    if (rendererName.find(software) != std::string_view::npos) return true;
+  return false;
 }
 
 }  // namespace hair::draw

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace hair::draw {
 
@@ -23,5 +24,10 @@ class OffscreenContext {
   struct Handles;
   std::unique_ptr<Handles> handles;
 };
+
+/// What draws in the current context, as OpenGL names it.
+std::string rendererName();
+/// No graphics card: OpenGL of that name is computed by the CPU, and pictures are dear.
+bool drawsOnCpu(std::string_view rendererName);
 
 }  // namespace hair::draw

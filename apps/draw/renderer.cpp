@@ -157,6 +157,10 @@ void Renderer::meshVisibility(const Scene& scene, std::span<const glm::vec3> poi
                               visibility.subspan(l * points.size(), points.size()));
 }
 
+void Renderer::finish() const {
+  glFinish();
+}
+
 void Renderer::read(Picture& picture) const {
   state->targets.read(picture);
 }

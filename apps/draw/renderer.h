@@ -36,6 +36,9 @@ class Renderer {
   void meshVisibility(const Scene& scene, std::span<const glm::vec3> points,
                       std::span<float> visibility);
 
+  /// Waits until all is drawn, to take its time. (OpenGL only notes down what there is to do.)
+  void finish() const;
+
   /// Reads back what was drawn last.
   void read(Picture& picture) const;
   Picture read() const;

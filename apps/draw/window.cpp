@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <string_view>
 
 #include <epoxy/gl.h>
 // After the loader, which brings its own gl.h.
@@ -196,18 +195,6 @@ int Window::width() const {
 }
 int Window::height() const {
   return state->height;
-}
-
-void Window::finish() const {
-  glFinish();
-}
-
-bool Window::softwareDrawing() const {
-  const auto* bytes = glGetString(GL_RENDERER);
-  const std::string_view name = bytes ? reinterpret_cast<const char*>(bytes) : "";
-  for (const std::string_view software : {"llvmpipe", "softpipe", "SwiftShader", "Software"})
-    if (name.find(software) != std::string_view::npos) return true;
-  return false;
 }
 
 void Window::close() {

@@ -52,11 +52,6 @@ class Window {
   int width() const;
   int height() const;
 
-  /// Waits until all that was drawn so far is done (to measure how long it takes).
-  void finish() const;
-  /// No graphics card: OpenGL is computed by the CPU, and pictures are dear.
-  bool softwareDrawing() const;
-
   void close();
 
  private:

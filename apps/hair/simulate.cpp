@@ -37,7 +37,7 @@ void runSimulate(const SimulateOptions& options) {
     progress.step();
   }
   progress.finish();
-  writeResults(options.results, performance, stats);
+  writeResults(options.results, performance, performance.log, stats);
 }
 
 }  // namespace hair

@@ -25,6 +25,7 @@ TEST(Window, ClosesAfterItsFramesInTheStateThatTheSimulationReachesWithoutIt) {
                  "--frames 12 --width 320 --height 240");
   ASSERT_EQ(window.code, 0) << window.out;
   EXPECT_NE(window.out.find("300 strands"), std::string::npos) << window.out;
+  EXPECT_NE(window.out.find("frames a second without drawing"), std::string::npos) << window.out;
   const Outcome without = runCommand(HAIR_PROGRAM " simulate" + kSmall + "--frames 12");
   ASSERT_EQ(without.code, 0) << without.out;
   EXPECT_EQ(lastLine(window.out).substr(0, 5), "hash ") << window.out;
@@ -41,6 +42,8 @@ TEST(Window, IsNotAskedForWhereNoDisplayAnswers) {
       GTEST_SKIP() << "neither a display nor EGL here: " << outcome.out;
     EXPECT_EQ(outcome.code, 0) << display << outcome.out;
     EXPECT_NE(outcome.out.find("no_display.mp4"), std::string::npos) << display << outcome.out;
+    EXPECT_NE(outcome.out.find("frames a second without drawing"), std::string::npos)
+        << display << outcome.out;
   }
   for (const char* name : {"no_display.mp4", "no_display.png"})
     std::remove((folder + name).c_str());

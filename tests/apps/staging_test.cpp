@@ -1,0 +1,76 @@
+// What drawing takes, apart from what simulating takes.
+#include <algorithm>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include <apps/common/results.h>
+#include <apps/common/staging.h>
+#include <apps/draw/gl_context.h>
+#include <libhair/core/error.h>
+
+namespace hair {
+namespace {
+
+StageTime& of(FrameProfile& profile, Stage stage) {
+  return profile[static_cast<std::size_t>(stage)];
+}
+
+TEST(DrawingTimes, AreMediansAndAddUp) {
+  ProfileLog log;
+  for (const int ms : {9, 2, 1}) {
+    FrameProfile frame{};
+    of(frame, Stage::Guides) = {ms * 500'000, 1};
+    of(frame, Stage::Shade) = {ms * 500'000, 1};
+    of(frame, Stage::Draw) = {ms * 4'000'000, 1};
+    log.add(frame);
+  }
+  EXPECT_EQ(drawingTimes(log, "the CPU (llvmpipe)"),
+            "simulated and shadowed 2 ms, drawn 8 ms a frame (median) by the CPU (llvmpipe): 500 "
+            "frames a second without drawing, 100 with it");
+  EXPECT_EQ(drawingTimes({}, ""), "no drawing was timed");
+}
+
+TEST(DrawingTimes, TellSoftwareFromGraphicsCards) {
+  EXPECT_TRUE(draw::drawsOnCpu("llvmpipe (LLVM 15.0.6, 256 bits)"));
+  EXPECT_TRUE(draw::drawsOnCpu("softpipe"));
+  EXPECT_FALSE(draw::drawsOnCpu("NVIDIA GeForce RTX 3060/PCIe/SSE2"));
+}
+
+TEST(Staging, ShadesOncePerPictureAndFramesWithoutPictureNotAtAll) {
+  std::unique_ptr<draw::OffscreenContext> context;
+  try {
+    context = std::make_unique<draw::OffscreenContext>();
+  } catch (const Error& error) {
+    GTEST_SKIP() << error.what();
+  }
+  SubjectOptions options;
+  options.strands = 300;
+  const Subject subject(options);
+  PerformanceOptions performing;
+  performing.settle = 0.02f;
+  Performance performance(subject, performing);
+  FrameProfile& profile = performance.profile;
+  const auto points = static_cast<std::int64_t>(performance.hair.strands().pointCount());
+  draw::Renderer renderer;
+  Staging staging(performance);
+  performance.step();
+  EXPECT_EQ(of(profile, Stage::Shade).items, 0);
+  staging.drawTimed(renderer, 64, 48);
+  const std::vector<std::uint32_t> once = performance.hair.colours;
+  EXPECT_EQ(of(profile, Stage::Shade).items, points);
+  EXPECT_GT(of(profile, Stage::Draw).nanoseconds, 0);
+  EXPECT_EQ(of(profile, Stage::Draw).items, points);
+
+  staging.drawTimed(renderer, 64, 48);  // stands still
+  EXPECT_EQ(of(profile, Stage::Shade).items, points) << "of the last picture alone";
+  EXPECT_EQ(performance.hair.colours, once);
+  staging.scene.lights[0].direction = -staging.scene.lights[0].direction;
+  staging.update(renderer);
+  EXPECT_EQ(of(profile, Stage::Shade).items, points);
+  EXPECT_EQ(of(profile, Stage::Draw).items, 0) << "not timed";
+  EXPECT_NE(performance.hair.colours, once) << "in another light";
+}
+
+}  // namespace
+}  // namespace hair
