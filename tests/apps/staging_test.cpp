@@ -52,7 +52,7 @@ TEST(Staging, ShadesOncePerPictureAndFramesWithoutPictureNotAtAll) {
   Performance performance(subject, performing);
   FrameProfile& profile = performance.profile;
   const auto points = static_cast<std::int64_t>(performance.hair.strands().pointCount());
-  draw::Renderer renderer;
+  draw::Renderer renderer({1, 64, 1000});
   Staging staging(performance);
   performance.step();
   EXPECT_EQ(of(profile, Stage::Shade).items, 0);
