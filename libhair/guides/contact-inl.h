@@ -18,8 +18,11 @@ namespace HWY_NAMESPACE {
 
 // Farther than anything reaches in a substep.
 inline constexpr float kFar = 1e3f;
-// Farther than most points go in a substep: those that do look again (substep).
-inline constexpr float kFarEnough = 0.01f;
+// Farther than links drag most points in a substep: those that go farther look again (substep).
+inline constexpr float kFarEnough = 1e-3f;
+// As much as the distance to the head may change over a metre: that of neighbouring nodes changes
+// by a cell at most, along each axis; and more than there is for what far nodes may be wrong by.
+inline constexpr float kHeadSlope = 1.75f;
 
 /// The half-space normal · x >= offset in which a point of a strand must stay for one substep, and
 /// how far the surface moved in it.
@@ -73,50 +76,53 @@ HWY_INLINE void lookAt(const Capsule& now, const Capsule& before, const Vec3* an
   }
 }
 
-/// How far points are from body and head at least: what is known before they are looked at, and
-/// more exactly afterwards. A step along a strand takes its length off both; twice that off the
-/// body's where a capsule has swallowed something, as its reach may change as much.
+/// How far points are from body and head at least.
 struct Clearance {
   Floats body, head;
 
-  HWY_INLINE Clearance() : body(0.0f), head(0.0f) {}
-  HWY_INLINE void step(Floats way, bool swallowed) {
-    body = body - (swallowed ? way + way : way), head = head - way;
-  }
+  Clearance() = default;
+  HWY_INLINE explicit Clearance(float both) : body(both), head(both) {}
+  HWY_INLINE Mask within(float distance) const { return !(min(body, head) > Floats(distance)); }
 };
 
 /// All that may be near sixteen strands.
 struct Surroundings {
   const SubstepColliders& colliders;
   std::span<const NearCapsule> capsules;
+  float seen;  ///< no other capsule is nearer, metres
 };
 
-/// Keeps in `best` the plane of a capsule where that is nearer than what it holds; true if it was
-/// anywhere.
-HWY_INLINE bool nearerCapsule(const Vec3& p, const NearCapsule& capsule, Floats reach,
+/// How to look: only planes `within` so many metres are of use, and so many metres less than asked
+/// for need to be kept.
+struct Look {
+  float within, slack;
+};
+
+/// Keeps in `best` the plane of a capsule where that is nearer than what it holds, or its distance
+/// alone where that is beyond `within`; true if it was a plane anywhere.
+HWY_INLINE bool nearerCapsule(const Vec3& p, const NearCapsule& capsule, Floats reach, float within,
                               ContactPlane& best) {
   const Foot foot = footOf(capsule, p);
   const Vec3 out = p - foot.point;
   // Most capsules are farther than what is held already: no root is needed to see that.
-  const Floats length2 = dot(out, out), within = best.distance + reach;
-  if (!any(length2 < within * within)) return false;
+  const Floats length2 = dot(out, out), far = best.distance + reach;
+  if (!any(length2 < far * far)) return false;
   const Floats r = sqrt(length2), d = r - reach;
   const Mask nearer = d < best.distance;
-  if (!any(nearer)) return false;
+  best.distance = select(nearer, d, best.distance);
+  if (!any(nearer & !(d > Floats(within)))) return false;
   const Vec3 normal = (Floats(1.0f) / max(r, Floats(1e-9f))) * out;
   const Vec3 move = Vec3(capsule.moveA) + foot.t * Vec3(capsule.moveAxis);
   best.normal = select(nearer, normal, best.normal);
   best.offset = select(nearer, dot(normal, foot.point) + reach, best.offset);
   best.surfaceMove = select(nearer, move, best.surfaceMove);
-  best.distance = select(nearer, d, best.distance);
   return true;
 }
 
 /// The same for the head, in the lanes that may be near it; `known` is made exact.
 HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& colliders,
-                           Floats& known, ContactPlane& best) {
-  const Floats enough = kFarEnough;
-  const Mask look = !(known > enough);
+                           float within, Floats& known, ContactPlane& best) {
+  const Mask look = !(known > Floats(within));
   if (!any(look)) {
     best.distance = min(known, best.distance);
     return false;
@@ -124,11 +130,11 @@ HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& c
   const SdfLookup head(*colliders.head);
   const Vec3 local = rotate(glm::transpose(colliders.turn), p - Vec3(colliders.at));
   const Floats bound = head.lowerBound(local, look) - keep;
-  const Mask near = look & !(bound > enough);
+  const Mask near = look & !(bound > Floats(kSight));
   Floats d = bound;
   if (any(near)) d = select(near, head.distance(local, near) - keep, bound);
   known = select(look, d, known);
-  const Mask nearer = known < best.distance, touches = look & nearer & !(known > enough);
+  const Mask nearer = known < best.distance, touches = look & nearer & !(known > Floats(within));
   best.distance = select(nearer, known, best.distance);
   best.offset = select(look & nearer, Floats(-kFar), best.offset);
   if (!any(touches)) return false;
@@ -143,22 +149,24 @@ HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& c
 /// The plane of the collider nearest to each of sixteen points (deepest, where inside), which are
 /// points `index` of their strands, `way` metres after the last anchored one. A lane far from
 /// everything gets a plane that never touches; false: all are, and only the distance is set.
-/// Colliders that `clearance` knows to be far are not looked at. `slack`: so many metres less than
-/// asked for need to be kept.
+/// Colliders that `clearance` knows to be far are not looked at, and it is made exact of the
+/// others.
 HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const Floats& way,
                                       const Floats& headClearance, const Surroundings& around,
-                                      float slack, Clearance& clearance, ContactPlane& plane) {
-  ContactPlane best{Vec3(glm::vec3(0)), -kFar, Vec3(glm::vec3(0)), kFar};
+                                      const Look& how, Clearance& clearance, ContactPlane& plane) {
+  ContactPlane best{Vec3(glm::vec3(0)), -kFar, Vec3(glm::vec3(0)), around.seen};
   bool found = false;
-  if (any(clearance.body < Floats(kFarEnough))) {
+  if (any(!(clearance.body > Floats(how.within)))) {
     for (const NearCapsule& capsule : around.capsules)
-      found |= nearerCapsule(p, capsule, capsule.reachOf(index, way) - Floats(slack), best);
+      found |= nearerCapsule(p, capsule, capsule.reachOf(index, way) - Floats(how.slack),
+                             how.within, best);
     clearance.body = best.distance;
   } else {
     best.distance = clearance.body;
   }
   if (around.colliders.head)
-    found |= nearerHead(p, headClearance - Floats(slack), around.colliders, clearance.head, best);
+    found |= nearerHead(p, headClearance - Floats(how.slack), around.colliders, how.within,
+                        clearance.head, best);
   if (found)
     plane = best;
   else

@@ -27,9 +27,14 @@ inline constexpr float kReachGrowth = 0.7f;
 
 inline constexpr std::size_t kMaxCapsules = 64;
 
-/// Boxes around sixteen capsules and all that may touch them. Those beyond the last hold nothing.
+/// Metres. Strands do not look farther than this for capsules.
+inline constexpr float kSight = 0.01f;
+
+/// Boxes around sixteen capsules and all that may touch them, and in which their surfaces moved
+/// since the substep before. Those beyond the last hold nothing.
 struct CapsuleBoxes {
   LaneVec3 lower, upper;
+  LaneVec3 leastMove, mostMove;
 };
 
 /// A ColliderState as the solver wants it, made once for all strands.
@@ -41,7 +46,8 @@ struct SubstepColliders {
   const MeshSdf* head = nullptr;
 };
 
-/// Appends the boxes of these capsules, `reach` metres larger.
-void appendBoxes(std::span<const Capsule> capsules, float reach, std::vector<CapsuleBoxes>& boxes);
+/// Appends the boxes of these capsules, `reach` metres larger. `before`: same count and order.
+void appendBoxes(std::span<const Capsule> capsules, std::span<const Capsule> before, float reach,
+                 std::vector<CapsuleBoxes>& boxes);
 
 }  // namespace hair

@@ -30,6 +30,7 @@ struct Group {
 // strands, and most are shorter.
 struct Scratch {
   Vec3 x[kMaxGuidePoints], force[kMaxGuidePoints], seenAt[kMaxGuidePoints];
+  Clearance clear[kMaxGuidePoints];  // of the points at seenAt
   Vec3 directions[kMaxGuidePoints];  // of the links, unit, where the last substep left them
   Floats lambda[kMaxGuidePoints], way[kMaxGuidePoints];
   Contact contacts[kMaxGuidePoints];
@@ -86,52 +87,91 @@ HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Win
   }
 }
 
-// The capsules that a box around the group touches, and how near they may come.
-HWY_INLINE std::span<const NearCapsule> findNear(const Group& g, float skin,
-                                                 const SubstepColliders& colliders, Scratch& s) {
-  if (colliders.capsules.empty()) return {};
-  Vec3 lower = s.x[0], upper = s.x[0];
-  for (std::uint32_t i = 1; i < g.points; ++i) {
-    const Vec3 p = s.x[i];
-    lower = Vec3(min(lower.x, p.x), min(lower.y, p.y), min(lower.z, p.z));
-    upper = Vec3(max(upper.x, p.x), max(upper.y, p.y), max(upper.z, p.z));
+// The capsules near a group, one a bit, and the box in which their surfaces moved.
+struct Near {
+  std::uint64_t capsules = 0;
+  glm::vec3 leastMove{0}, mostMove{0};
+};
+
+struct Box {
+  Vec3 lower, upper;
+
+  HWY_INLINE void add(const Vec3& least, const Vec3& most) {
+    lower = {min(lower.x, least.x), min(lower.y, least.y), min(lower.z, least.z)};
+    upper = {max(upper.x, most.x), max(upper.y, most.y), max(upper.z, most.z)};
   }
-  const Vec3 least(glm::vec3(lowest(lower.x), lowest(lower.y), lowest(lower.z)));
-  const Vec3 most(glm::vec3(highest(upper.x), highest(upper.y), highest(upper.z)));
-  Vec3 anchors[kAnchoredPoints];
-  std::size_t count = 0;
+  HWY_INLINE glm::vec3 least() const { return {lowest(lower.x), lowest(lower.y), lowest(lower.z)}; }
+  HWY_INLINE glm::vec3 most() const {
+    return {highest(upper.x), highest(upper.y), highest(upper.z)};
+  }
+};
+
+HWY_INLINE Near findNear(const Group& g, const SubstepColliders& colliders, const Scratch& s) {
+  Near near;
+  if (colliders.capsules.empty()) return near;
+  Box points{s.x[0], s.x[0]};
+  for (std::uint32_t i = 1; i < g.points; ++i) points.add(s.x[i], s.x[i]);
+  const Vec3 least{points.least()}, most{points.most()}, far{glm::vec3(kFar)},
+      minusFar{glm::vec3(-kFar)};
+  Box moves{far, minusFar};
   for (std::size_t b = 0; b < colliders.boxes.size(); ++b) {
-    const Vec3 from(colliders.boxes[b].lower), to(colliders.boxes[b].upper);
+    const CapsuleBoxes& box = colliders.boxes[b];
+    const Vec3 from(box.lower), to(box.upper);
     const Mask meet = (from.x < most.x) & (from.y < most.y) & (from.z < most.z) & (least.x < to.x) &
                       (least.y < to.y) & (least.z < to.z);
-    for (std::uint32_t rest = bits(meet); rest != 0; rest &= rest - 1) {
-      if (count == 0)
-        for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
-          anchors[i] = rotate(colliders.turn, g.restPosition[std::min(i + 1, g.points - 1)]) +
-                       Vec3(colliders.at);
-      const std::size_t c = b * kLanes + static_cast<std::size_t>(std::countr_zero(rest));
-      lookAt(colliders.capsules[c], colliders.capsulesBefore[c], anchors, skin, s.near[count++]);
-    }
+    near.capsules |= std::uint64_t{bits(meet)} << (b * kLanes);
+    moves.add(select(meet, Vec3(box.leastMove), far), select(meet, Vec3(box.mostMove), minusFar));
   }
-  return {s.near, count};
+  if (near.capsules) near.leastMove = moves.least(), near.mostMove = moves.most();
+  return near;
 }
 
-// Every point sees its nearest collider.
-HWY_INLINE void findPlanes(const Group& g, const Surroundings& around, Scratch& s) {
-  bool swallowed = false;
-  for (const NearCapsule& capsule : around.capsules)
-    for (const Floats& reach : capsule.reach) swallowed |= any(reach < Floats(capsule.full));
-  Clearance known;
+// Fills in the capsules near a group, and how near they may come, unless that is done already.
+HWY_INLINE void lookAround(const Group& g, float skin, std::uint64_t near, Surroundings& around,
+                           Scratch& s) {
+  if (around.capsules.data()) return;
+  const SubstepColliders& colliders = around.colliders;
+  Vec3 anchors[kAnchoredPoints];
+  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
+    anchors[i] =
+        rotate(colliders.turn, g.restPosition[std::min(i + 1, g.points - 1)]) + Vec3(colliders.at);
+  std::size_t count = 0;
+  for (; near != 0; near &= near - 1) {
+    const auto c = static_cast<std::size_t>(std::countr_zero(near));
+    lookAt(colliders.capsules[c], colliders.capsulesBefore[c], anchors, skin, s.near[count++]);
+  }
+  around.capsules = {s.near, count};
+}
+
+// Every point sees its nearest collider, unless it was clear of all a substep ago and still is.
+HWY_INLINE void findPlanes(const Group& g, float skin, const Near& near, Surroundings& around,
+                           Scratch& s) {
+  const SubstepColliders& colliders = around.colliders;
+  const glm::mat3 turn = colliders.turn * glm::transpose(colliders.turnBefore);
+  const Vec3 at(colliders.at), atBefore(colliders.atBefore);
+  const Vec3 drift(0.5f * (near.leastMove + near.mostMove));
+  const Floats spread(0.5f * glm::length(near.mostMove - near.leastMove));
   Floats way = 0.0f;
   for (std::uint32_t i = 1; i < g.points; ++i) {
-    const Vec3 x = s.x[i];
+    const Vec3 x = s.x[i], before = s.seenAt[i];
+    Clearance& known = s.clear[i];
     if (i > kAnchoredPoints) way = way + Floats(g.linkLength[i - 1]);
-    known.step(length(x - s.x[i - 1]), swallowed);
     s.way[i] = way;
     s.seenAt[i] = x;
-    s.contacts[i].touched = false;
-    s.contacts[i].near =
-        nearestPlane(x, i, way, g.clearance[i], around, 0, known, s.contacts[i].plane);
+    Contact& contact = s.contacts[i];
+    contact.touched = contact.near = false;
+    // A point that moves with a collider does not come nearer to it.
+    const Vec3 carried = rotate(turn, before - atBefore) + at;
+    known.body = known.body - (length(x - (before + drift)) + spread);
+    known.head = known.head - Floats(kHeadSlope) * length(x - carried);
+    contact.plane.distance = min(known.body, known.head);
+    if (!any(known.within(kFarEnough))) continue;
+    const Floats link = length(x - s.x[i - 1]);
+    known.body = max(known.body, s.clear[i - 1].body - link);
+    known.head = max(known.head, s.clear[i - 1].head - Floats(kHeadSlope) * link);
+    lookAround(g, skin, near.capsules, around, s);
+    contact.near =
+        nearestPlane(x, i, way, g.clearance[i], around, {kFarEnough, 0}, known, contact.plane);
   }
 }
 
@@ -154,17 +194,22 @@ HWY_INLINE void pushOut(const Group& g, float friction, Scratch& s) {
 // Links drag points off; those that went farther than to the collider they saw must look again.
 // True if one is inside another collider by now. The skin is for comfort: a point pinched between
 // two colliders has to do with a third of it.
-HWY_INLINE bool lookAgain(const Group& g, float skin, const Surroundings& around, Scratch& s) {
+HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surroundings& around,
+                          Scratch& s) {
+  const Look how{kSight, skin * (2.0f / 3.0f)};
   bool again = false;
   for (std::uint32_t i = 1; i < g.points; ++i) {
     const Vec3 moved = s.x[i] - s.seenAt[i];
     ContactPlane& plane = s.contacts[i].plane;
     const Floats may = max(plane.distance, Floats(0.0f)) + Floats(0.5f * skin);
     if (!any(dot(moved, moved) > may * may)) continue;
-    Clearance nothing;
+    lookAround(g, skin, near, around, s);
     s.seenAt[i] = s.x[i];
-    s.contacts[i].near = nearestPlane(s.x[i], i, s.way[i], g.clearance[i], around,
-                                      skin * (2.0f / 3.0f), nothing, plane);
+    s.clear[i] = Clearance(0);
+    s.contacts[i].near =
+        nearestPlane(s.x[i], i, s.way[i], g.clearance[i], around, how, s.clear[i], plane);
+    s.clear[i].body = s.clear[i].body - Floats(how.slack);
+    s.clear[i].head = s.clear[i].head - Floats(how.slack);
     again |= any(plane.distance < Floats(0.0f));
   }
   return again;
@@ -181,8 +226,9 @@ void substep(const Group& g, const GuideSettings& settings, const Wind& wind, do
                              rotate(colliders.turnBefore, g.rest.normal)};
   solveBending(g.bending, root, rootBefore, s.directions, s.force, s.x);
 
-  const Surroundings around{colliders, findNear(g, settings.skin, colliders, s)};
-  findPlanes(g, around, s);
+  const Near near = findNear(g, colliders, s);
+  Surroundings around{colliders, {}, kSight};
+  findPlanes(g, settings.skin, near, around, s);
   for (std::uint32_t i = 0; i < links; ++i) s.lambda[i] = 0.0f;
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
@@ -191,7 +237,7 @@ void substep(const Group& g, const GuideSettings& settings, const Wind& wind, do
       correctLinks(n, g.linkLength, g.inverseMass, s.contacts, s.lambda, s.x);
     }
     finishLinks(n, g.linkLength, g.bending.inverseLength, s.contacts, s.x, s.directions);
-    if (!lookAgain(g, settings.skin, around, s)) break;
+    if (!lookAgain(g, settings.skin, near.capsules, around, s)) break;
   }
 
   const Floats perStep = 1.0f / h, perStep2 = 1.0f / (h * h);
@@ -232,6 +278,8 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
       const Vec3 e = Vec3(group.position[i + 1]) - Vec3(group.position[i]);
       s.directions[i] = (Floats(1.0f) / max(length(e), Floats(1e-12f))) * e;
     }
+    for (std::uint32_t i = 0; i < n; ++i)
+      s.seenAt[i] = group.position[i], s.clear[i] = Clearance(0);
     double time = motion.time;
     for (const SubstepColliders& colliders : workspace.colliders) {
       substep(group, settings, motion.wind, time, h, colliders, s);
@@ -276,7 +324,9 @@ void cutFrame(const GuideMotion& motion, const RigidTransform& from, float skin,
                                               glm::mix(before.b, after.b, t),
                                               glm::mix(before.radius, after.radius, t)};
     }
-    appendBoxes(std::span(workspace.capsules).subspan(s * capsules, capsules), skin,
+    const std::span all(workspace.capsules);
+    appendBoxes(all.subspan(s * capsules, capsules),
+                all.subspan((s > 0 ? s - 1 : s) * capsules, capsules), skin + kSight,
                 workspace.boxes);
   }
   workspace.colliders.clear();

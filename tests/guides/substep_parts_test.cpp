@@ -57,9 +57,9 @@ void nearest(std::span<const Capsule> now, std::span<const Capsule> before, floa
   const Vec3 anchors[kAnchoredPoints] = {away, away, away};
   for (std::size_t c = 0; c < now.size(); ++c) lookAt(now[c], before[c], anchors, skin, near[c]);
   const SubstepColliders none{glm::mat3(1), glm::mat3(1), {}, {}, now, before, {}, nullptr};
-  Clearance unknown;
+  Clearance unknown(0);
   ContactPlane plane;
-  nearestPlane(p, 5, 0.1f, skin, {none, {near, now.size()}}, 0, unknown, plane);
+  nearestPlane(p, 5, 0.1f, skin, {none, {near, now.size()}, kFar}, {kFar, 0}, unknown, plane);
   store(plane.normal, normal), store(plane.surfaceMove, move);
   store(plane.offset, offset), store(plane.distance, distance);
 }
