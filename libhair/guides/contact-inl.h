@@ -6,18 +6,14 @@
 #define HAIR_GUIDES_CONTACT_INL_H
 #endif
 
-#include <span>
-
 #include <libhair/core/simd-inl.h>
-#include <libhair/guides/contact.h>
+#include <libhair/guides/nearby-inl.h>
 #include <libhair/model/mesh_sdf-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// Farther than anything reaches in a substep.
-inline constexpr float kFar = 1e3f;
 // Farther than links drag most points in a substep: those that go farther look again (substep).
 inline constexpr float kFarEnough = 1e-3f;
 // As much as the distance to the head may change over a metre: that of neighbouring nodes changes
@@ -33,49 +29,6 @@ struct ContactPlane {
   Floats distance;  ///< of the point to the plane when it was found; no collider is nearer
 };
 
-/// A capsule worth looking at.
-struct NearCapsule {
-  glm::vec3 a, axis, moveA, moveAxis;  ///< move...: since the substep before
-  float perAxis2;                      ///< 1 / |axis|², 0 for a sphere
-  /// [i]: how far from its axis point i + 1 must keep; points after the last of them that far plus
-  /// their way along the strand times kReachGrowth; at most `full`.
-  Floats reach[kAnchoredPoints];
-  float full;
-
-  HWY_INLINE Floats reachOf(std::uint32_t point, Floats way) const {
-    return point <= kAnchoredPoints
-               ? reach[point - 1]
-               : min(reach[kAnchoredPoints - 1] + Floats(kReachGrowth) * way, Floats(full));
-  }
-};
-
-/// Where the axis of a capsule is nearest to points: a + t · axis.
-struct Foot {
-  Floats t;
-  Vec3 point;
-};
-
-HWY_INLINE Foot footOf(const NearCapsule& c, const Vec3& p) {
-  const Vec3 a(c.a), axis(c.axis);
-  const Floats t = min(max(Floats(c.perAxis2) * dot(p - a, axis), Floats(0.0f)), Floats(1.0f));
-  return {t, a + t * axis};
-}
-
-/// `anchors`: where the head holds points 1 to kAnchoredPoints of sixteen strands.
-HWY_INLINE void lookAt(const Capsule& now, const Capsule& before, const Vec3* anchors, float skin,
-                       NearCapsule& near) {
-  const glm::vec3 axis = now.b - now.a;
-  const float axis2 = glm::dot(axis, axis);
-  near.a = now.a, near.axis = axis;
-  near.moveA = now.a - before.a, near.moveAxis = (now.b - before.b) - near.moveA;
-  near.perAxis2 = axis2 > 0 ? 1.0f / axis2 : 0.0f;
-  near.full = now.radius + skin;
-  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i) {
-    const Floats kept = length(anchors[i] - footOf(near, anchors[i]).point);
-    near.reach[i] = min(kept + Floats(0.5f * skin), Floats(near.full));
-  }
-}
-
 /// How far points are from body and head at least.
 struct Clearance {
   Floats body, head;
@@ -83,13 +36,6 @@ struct Clearance {
   Clearance() = default;
   HWY_INLINE explicit Clearance(float both) : body(both), head(both) {}
   HWY_INLINE Mask within(float distance) const { return !(min(body, head) > Floats(distance)); }
-};
-
-/// All that may be near sixteen strands.
-struct Surroundings {
-  const SubstepColliders& colliders;
-  std::span<const NearCapsule> capsules;
-  float seen;  ///< no other capsule is nearer, metres
 };
 
 /// How to look: only planes `within` so many metres are of use, and so many metres less than asked
@@ -160,13 +106,16 @@ HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const 
     for (const NearCapsule& capsule : around.capsules)
       found |= nearerCapsule(p, capsule, capsule.reachOf(index, way) - Floats(how.slack),
                              how.within, best);
-    clearance.body = best.distance;
+    // What a capsule has swallowed may be out again soon.
+    clearance.body = around.swallowed ? Floats(0.0f) : best.distance;
   } else {
     best.distance = clearance.body;
   }
   if (around.colliders.head)
     found |= nearerHead(p, headClearance - Floats(how.slack), around.colliders, how.within,
                         clearance.head, best);
+  else
+    clearance.head = kFar;
   if (found)
     plane = best;
   else

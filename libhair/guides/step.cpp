@@ -7,7 +7,6 @@
 #include <libhair/guides/links-inl.h>
 
 #include <algorithm>
-#include <bit>
 
 #include <libhair/guides/step.h>
 
@@ -87,63 +86,8 @@ HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Win
   }
 }
 
-// The capsules near a group, one a bit, and the box in which their surfaces moved.
-struct Near {
-  std::uint64_t capsules = 0;
-  glm::vec3 leastMove{0}, mostMove{0};
-};
-
-struct Box {
-  Vec3 lower, upper;
-
-  HWY_INLINE void add(const Vec3& least, const Vec3& most) {
-    lower = {min(lower.x, least.x), min(lower.y, least.y), min(lower.z, least.z)};
-    upper = {max(upper.x, most.x), max(upper.y, most.y), max(upper.z, most.z)};
-  }
-  HWY_INLINE glm::vec3 least() const { return {lowest(lower.x), lowest(lower.y), lowest(lower.z)}; }
-  HWY_INLINE glm::vec3 most() const {
-    return {highest(upper.x), highest(upper.y), highest(upper.z)};
-  }
-};
-
-HWY_INLINE Near findNear(const Group& g, const SubstepColliders& colliders, const Scratch& s) {
-  Near near;
-  if (colliders.capsules.empty()) return near;
-  Box points{s.x[0], s.x[0]};
-  for (std::uint32_t i = 1; i < g.points; ++i) points.add(s.x[i], s.x[i]);
-  const Vec3 least{points.least()}, most{points.most()}, far{glm::vec3(kFar)},
-      minusFar{glm::vec3(-kFar)};
-  Box moves{far, minusFar};
-  for (std::size_t b = 0; b < colliders.boxes.size(); ++b) {
-    const CapsuleBoxes& box = colliders.boxes[b];
-    const Vec3 from(box.lower), to(box.upper);
-    const Mask meet = (from.x < most.x) & (from.y < most.y) & (from.z < most.z) & (least.x < to.x) &
-                      (least.y < to.y) & (least.z < to.z);
-    near.capsules |= std::uint64_t{bits(meet)} << (b * kLanes);
-    moves.add(select(meet, Vec3(box.leastMove), far), select(meet, Vec3(box.mostMove), minusFar));
-  }
-  if (near.capsules) near.leastMove = moves.least(), near.mostMove = moves.most();
-  return near;
-}
-
-// Fills in the capsules near a group, and how near they may come, unless that is done already.
-HWY_INLINE void lookAround(const Group& g, float skin, std::uint64_t near, Surroundings& around,
-                           Scratch& s) {
-  if (around.capsules.data()) return;
-  const SubstepColliders& colliders = around.colliders;
-  Vec3 anchors[kAnchoredPoints];
-  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
-    anchors[i] =
-        rotate(colliders.turn, g.restPosition[std::min(i + 1, g.points - 1)]) + Vec3(colliders.at);
-  std::size_t count = 0;
-  for (; near != 0; near &= near - 1) {
-    const auto c = static_cast<std::size_t>(std::countr_zero(near));
-    lookAt(colliders.capsules[c], colliders.capsulesBefore[c], anchors, skin, s.near[count++]);
-  }
-  around.capsules = {s.near, count};
-}
-
-// Every point sees its nearest collider, unless it was clear of all a substep ago and still is.
+// Every point sees its nearest collider, unless it is known to be clear of all: by what it saw a
+// substep ago, less the way it went since, or by what the point before it on the strand sees.
 HWY_INLINE void findPlanes(const Group& g, float skin, const Near& near, Surroundings& around,
                            Scratch& s) {
   const SubstepColliders& colliders = around.colliders;
@@ -169,7 +113,7 @@ HWY_INLINE void findPlanes(const Group& g, float skin, const Near& near, Surroun
     const Floats link = length(x - s.x[i - 1]);
     known.body = max(known.body, s.clear[i - 1].body - link);
     known.head = max(known.head, s.clear[i - 1].head - Floats(kHeadSlope) * link);
-    lookAround(g, skin, near.capsules, around, s);
+    lookAround(g.points, g.restPosition, skin, near.capsules, s.near, around);
     contact.near =
         nearestPlane(x, i, way, g.clearance[i], around, {kFarEnough, 0}, known, contact.plane);
   }
@@ -203,7 +147,7 @@ HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surrou
     ContactPlane& plane = s.contacts[i].plane;
     const Floats may = max(plane.distance, Floats(0.0f)) + Floats(0.5f * skin);
     if (!any(dot(moved, moved) > may * may)) continue;
-    lookAround(g, skin, near, around, s);
+    lookAround(g.points, g.restPosition, skin, near, s.near, around);
     s.seenAt[i] = s.x[i];
     s.clear[i] = Clearance(0);
     s.contacts[i].near =
@@ -226,8 +170,8 @@ void substep(const Group& g, const GuideSettings& settings, const Wind& wind, do
                              rotate(colliders.turnBefore, g.rest.normal)};
   solveBending(g.bending, root, rootBefore, s.directions, s.force, s.x);
 
-  const Near near = findNear(g, colliders, s);
-  Surroundings around{colliders, {}, kSight};
+  const Near near = findNear(n, s.x, colliders);
+  Surroundings around{colliders, {}, kSight, false};
   findPlanes(g, settings.skin, near, around, s);
   for (std::uint32_t i = 0; i < links; ++i) s.lambda[i] = 0.0f;
   constexpr int kRounds = 3;
@@ -295,7 +239,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include <libhair/core/error.h>

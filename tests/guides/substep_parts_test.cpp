@@ -59,7 +59,8 @@ void nearest(std::span<const Capsule> now, std::span<const Capsule> before, floa
   const SubstepColliders none{glm::mat3(1), glm::mat3(1), {}, {}, now, before, {}, nullptr};
   Clearance unknown(0);
   ContactPlane plane;
-  nearestPlane(p, 5, 0.1f, skin, {none, {near, now.size()}, kFar}, {kFar, 0}, unknown, plane);
+  nearestPlane(p, 5, 0.1f, skin, {none, {near, now.size()}, kFar, false}, {kFar, 0}, unknown,
+               plane);
   store(plane.normal, normal), store(plane.surfaceMove, move);
   store(plane.offset, offset), store(plane.distance, distance);
 }

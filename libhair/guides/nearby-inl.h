@@ -1,0 +1,137 @@
+// Which capsules sixteen strands have to look at; included by the solver's kernel
+// (core/simd-inl.h).
+#if defined(HAIR_GUIDES_NEARBY_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAIR_GUIDES_NEARBY_INL_H
+#undef HAIR_GUIDES_NEARBY_INL_H
+#else
+#define HAIR_GUIDES_NEARBY_INL_H
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <span>
+
+#include <libhair/core/simd-inl.h>
+#include <libhair/guides/contact.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hair {
+namespace HWY_NAMESPACE {
+
+// Farther than anything reaches in a substep.
+inline constexpr float kFar = 1e3f;
+/// A capsule worth looking at.
+struct NearCapsule {
+  glm::vec3 a, axis, moveA, moveAxis;  ///< move...: since the substep before
+  float perAxis2;                      ///< 1 / |axis|², 0 for a sphere
+  /// [i]: how far from its axis point i + 1 must keep; points after the last of them that far plus
+  /// their way along the strand times kReachGrowth; at most `full`.
+  Floats reach[kAnchoredPoints];
+  float full;
+
+  HWY_INLINE Floats reachOf(std::uint32_t point, Floats way) const {
+    return point <= kAnchoredPoints
+               ? reach[point - 1]
+               : min(reach[kAnchoredPoints - 1] + Floats(kReachGrowth) * way, Floats(full));
+  }
+};
+
+/// Where the axis of a capsule is nearest to points: a + t · axis.
+struct Foot {
+  Floats t;
+  Vec3 point;
+};
+
+HWY_INLINE Foot footOf(const NearCapsule& c, const Vec3& p) {
+  const Vec3 a(c.a), axis(c.axis);
+  const Floats t = min(max(Floats(c.perAxis2) * dot(p - a, axis), Floats(0.0f)), Floats(1.0f));
+  return {t, a + t * axis};
+}
+
+/// `anchors`: where the head holds points 1 to kAnchoredPoints of sixteen strands.
+HWY_INLINE void lookAt(const Capsule& now, const Capsule& before, const Vec3* anchors, float skin,
+                       NearCapsule& near) {
+  const glm::vec3 axis = now.b - now.a;
+  const float axis2 = glm::dot(axis, axis);
+  near.a = now.a, near.axis = axis;
+  near.moveA = now.a - before.a, near.moveAxis = (now.b - before.b) - near.moveA;
+  near.perAxis2 = axis2 > 0 ? 1.0f / axis2 : 0.0f;
+  near.full = now.radius + skin;
+  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i) {
+    const Floats kept = length(anchors[i] - footOf(near, anchors[i]).point);
+    near.reach[i] = min(kept + Floats(0.5f * skin), Floats(near.full));
+  }
+}
+
+/// The capsules near sixteen strands, one a bit, and the box in which their surfaces moved.
+struct Near {
+  std::uint64_t capsules = 0;
+  glm::vec3 leastMove{0}, mostMove{0};
+};
+
+/// Around the points of sixteen strands.
+struct Box {
+  Vec3 lower, upper;
+
+  HWY_INLINE void add(const Vec3& least, const Vec3& most) {
+    lower = {min(lower.x, least.x), min(lower.y, least.y), min(lower.z, least.z)};
+    upper = {max(upper.x, most.x), max(upper.y, most.y), max(upper.z, most.z)};
+  }
+  HWY_INLINE glm::vec3 least() const { return {lowest(lower.x), lowest(lower.y), lowest(lower.z)}; }
+  HWY_INLINE glm::vec3 most() const {
+    return {highest(upper.x), highest(upper.y), highest(upper.z)};
+  }
+};
+
+/// `x` [points].
+HWY_INLINE Near findNear(std::uint32_t points, const Vec3* x, const SubstepColliders& colliders) {
+  Near near;
+  if (colliders.capsules.empty()) return near;
+  Box all{x[0], x[0]};
+  for (std::uint32_t i = 1; i < points; ++i) all.add(x[i], x[i]);
+  const Vec3 least{all.least()}, most{all.most()}, far{glm::vec3(kFar)}, minusFar{glm::vec3(-kFar)};
+  Box moves{far, minusFar};
+  for (std::size_t b = 0; b < colliders.boxes.size(); ++b) {
+    const CapsuleBoxes& box = colliders.boxes[b];
+    const Vec3 from(box.lower), to(box.upper);
+    const Mask meet = (from.x < most.x) & (from.y < most.y) & (from.z < most.z) & (least.x < to.x) &
+                      (least.y < to.y) & (least.z < to.z);
+    near.capsules |= std::uint64_t{bits(meet)} << (b * kLanes);
+    moves.add(select(meet, Vec3(box.leastMove), far), select(meet, Vec3(box.mostMove), minusFar));
+  }
+  if (near.capsules) near.leastMove = moves.least(), near.mostMove = moves.most();
+  return near;
+}
+
+/// All that may be near sixteen strands.
+struct Surroundings {
+  const SubstepColliders& colliders;
+  std::span<const NearCapsule> capsules;
+  float seen;      ///< no other capsule is nearer, metres
+  bool swallowed;  ///< one of these holds a point less far from its axis than others
+};
+
+/// Looks at these capsules, which go to `room` [kMaxCapsules], unless that is done already.
+/// `rest` [points]: of the strands, in head space.
+HWY_INLINE void lookAround(std::uint32_t points, const LaneVec3* rest, float skin,
+                           std::uint64_t capsules, NearCapsule* room, Surroundings& around) {
+  if (around.capsules.data()) return;
+  const SubstepColliders& colliders = around.colliders;
+  Vec3 anchors[kAnchoredPoints];
+  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
+    anchors[i] = rotate(colliders.turn, rest[std::min(i + 1, points - 1)]) + Vec3(colliders.at);
+  std::size_t count = 0;
+  for (; capsules != 0; capsules &= capsules - 1) {
+    const auto c = static_cast<std::size_t>(std::countr_zero(capsules));
+    NearCapsule& near = room[count++];
+    lookAt(colliders.capsules[c], colliders.capsulesBefore[c], anchors, skin, near);
+    for (const Floats& reach : near.reach) around.swallowed |= any(reach < Floats(near.full));
+  }
+  around.capsules = {room, count};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hair
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard
