@@ -67,6 +67,17 @@ TEST(Guides, StayFiniteAndUnstretchedWhenShakenTwentyTimesHarder) {
   EXPECT_TRUE(std::isfinite(worst.speed));
 }
 
+TEST(Guides, AColliderThatComesFromAfarWithinOneFrameStaysOut) {
+  const GuideSettings settings;
+  GuideStrands guides(test::oneStrand({0, -1, 0}, 0.3f, 15), settings);
+  GuideWorkspace workspace;
+  const Capsule before{{0.1f, -0.25f, 0}, {0.1f, -0.25f, 0}, 0.03f};
+  const Capsule now{{0.01f, -0.25f, 0}, {0.01f, -0.25f, 0}, 0.03f};
+  stepGuides({{}, {&now, 1}, {&before, 1}}, settings, 0.1f, workspace, guides);
+  EXPECT_LT(guides.point(0, 13).x, -0.01f);
+  EXPECT_LT(measureGuides(guides, settings, {&now, 1}, nullptr).penetrationMax, 1e-3f);
+}
+
 TEST(Guides, SameBitsForAnyThreadCount) {
   const GuideSettings settings;
   std::vector<std::uint64_t> hashes;
