@@ -202,7 +202,14 @@ HWY_INLINE Floats toFloats(Ints v) {
 /// Towards zero; |v| below 2^31.
 HWY_INLINE Ints truncate(Floats v) {
   Ints r;
+  // ConvertTo would first look for numbers that are too large.
+#if HWY_ARCH_X86 && HWY_MAX_BYTES == 64
+  HAIR_EACH_PART r.part[p] = hn::VFromD<IntTag>{_mm512_cvttps_epi32(v.part[p].raw)};
+#elif HWY_ARCH_X86
+  HAIR_EACH_PART r.part[p] = hn::VFromD<IntTag>{_mm256_cvttps_epi32(v.part[p].raw)};
+#else
   HAIR_EACH_PART r.part[p] = hn::ConvertTo(IntTag(), v.part[p]);
+#endif
   return r;
 }
 template <int kBits>

@@ -25,7 +25,7 @@ class DensityLookup {
   HWY_INLINE void push(RepulsionKind kind, const Vec3& p, Vec3& direction, Floats& density) const {
     if (kind == RepulsionKind::CellCentre) {
       const Cell c = cellOf(cellCoordinates(map_.frame, p));
-      density = densityOf(c, 0, 0, 0);
+      density = densitiesOf(c, 0, 0).first;
       const Floats half = 0.5f;
       const Vec3 inFrame =
           Vec3(c.whole.x + half, c.whole.y + half, c.whole.z + half) - Vec3(map_.frame.fraction);
@@ -52,15 +52,12 @@ class DensityLookup {
     // Along z, then y, then x; a derivative replaces the mean of two values by their difference.
     Floats alongY[2], acrossY[2], acrossZ[2];
     for (int a = 0; a < 2; ++a) {
-      Floats alongZ[2], difference[2];
-      for (int b = 0; b < 2; ++b) {
-        const Floats d0 = densityOf(c, a, b, 0), d1 = densityOf(c, a, b, 1);
-        alongZ[b] = d0 * g.z + d1 * f.z;
-        difference[b] = d1 - d0;
-      }
-      alongY[a] = alongZ[0] * g.y + alongZ[1] * f.y;
-      acrossY[a] = alongZ[1] - alongZ[0];
-      acrossZ[a] = difference[0] * g.y + difference[1] * f.y;
+      const Pairs d0 = densitiesOf(c, a, 0), d1 = densitiesOf(c, a, 1);
+      const Floats alongZ0 = d0.first * g.z + d1.first * f.z;
+      const Floats alongZ1 = d0.second * g.z + d1.second * f.z;
+      alongY[a] = alongZ0 * g.y + alongZ1 * f.y;
+      acrossY[a] = alongZ1 - alongZ0;
+      acrossZ[a] = (d1.first - d0.first) * g.y + (d1.second - d0.second) * f.y;
     }
     const Vec3 perCell(alongY[1] - alongY[0], acrossY[0] * g.x + acrossY[1] * f.x,
                        acrossZ[0] * g.x + acrossZ[1] * f.x);
@@ -91,16 +88,26 @@ class DensityLookup {
     return {{toFloats(i), toFloats(j), toFloats(k)}, axisOf(i, 0), axisOf(j, 1), axisOf(k, 2)};
   }
 
-  // DensityMap::density of the first or second cells of three axes.
-  HWY_INLINE Floats densityOf(const Cell& c, int a, int b, int d) const {
-    const Mask inside = c.x.inside[a] & c.y.inside[b] & c.z.inside[d];
-    if (!any(inside)) return 0.0f;
-    const Ints code = codes_.along(c.x.cell[a]) + codes_.across(c.y.cell[b], c.z.cell[d]);
-    const Ints slot = gather(slots_, shiftRight<8>(code));
-    const Mask there = inside & (slot > Ints(0));
-    if (!any(there)) return 0.0f;
-    const Ints count = gather(counts_, shiftLeft<8>(slot) + (code & Ints(brick::kCells - 1)));
-    return select(there, toFloatsUnsigned(count) * Floats(perCount_), Floats(0.0f));
+  // DensityMap::density of the first or second cells of x and z, and of both cells of y: most often
+  // one look-up, as a row of a brick holds them side by side. Where no brick is there are zeros.
+  HWY_INLINE Pairs densitiesOf(const Cell& c, int a, int d) const {
+    const Ints along = codes_.along(c.x.cell[a]);
+    const Ints here = codeInStore(along + codes_.across(c.y.cell[0], c.z.cell[d]));
+    Pairs counts = gatherPairs(reinterpret_cast<const float*>(counts_), here);
+    const Mask elsewhere = (c.y.cell[1] & Ints(brick::kY - 1)) == Ints(0);
+    if (any(elsewhere)) {
+      const Ints beside = codeInStore(along + codes_.across(c.y.cell[1], c.z.cell[d]));
+      counts.second = select(elsewhere, asFloats(gather(counts_, beside)), counts.second);
+    }
+    const Mask inside = c.x.inside[a] & c.z.inside[d];
+    return {densityOf(counts.first, inside & c.y.inside[0]),
+            densityOf(counts.second, inside & c.y.inside[1])};
+  }
+  HWY_INLINE Ints codeInStore(Ints code) const {
+    return shiftLeft<8>(gather(slots_, shiftRight<8>(code))) + (code & Ints(brick::kCells - 1));
+  }
+  HWY_INLINE Floats densityOf(Floats count, Mask inside) const {
+    return select(inside, toFloatsUnsigned(asInts(count)) * Floats(perCount_), Floats(0.0f));
   }
 
   static_assert(brick::kCells == 256);
@@ -218,7 +225,7 @@ void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repuls
           "repel: no density is allowed yet; call allowRestDensity with the hair at rest first");
   const std::uint32_t n = guides.pointsPerGuide();
   const std::size_t groups = guides.groupCount(), turn = repulsion.turn;
-  parallelFor((groups + 1 - turn) / 2, 4, [&](std::size_t begin, std::size_t end) {
+  parallelFor((groups + 1 - turn) / 2, 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t half = begin; half < end; ++half) {
       const std::size_t at = (2 * half + turn) * n;
       push(repulsion.density, settings, std::span(guides.position).subspan(at, n),

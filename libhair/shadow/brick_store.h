@@ -107,7 +107,8 @@ class BrickStore {
  private:
   void grow(std::size_t room) {
     places_.reserve(room);
-    std::unique_ptr<std::uint32_t[]> cells(new std::uint32_t[room * brick::kCells]);
+    // One more, because cells are looked up two at a time.
+    std::unique_ptr<std::uint32_t[]> cells(new std::uint32_t[room * brick::kCells + 1]);
     if (room_ > 0) std::memcpy(cells.get(), cells_.get(), room_ * brick::kCells * sizeof(cells[0]));
     cells_ = std::move(cells);
     room_ = room;
@@ -118,7 +119,7 @@ class BrickStore {
   std::vector<std::uint32_t> places_;
   std::size_t sizeBefore_ = 0;
   std::size_t room_ = 0;                    // bricks, that of slot 0 included
-  std::unique_ptr<std::uint32_t[]> cells_;  // [room_ · brick::kCells]
+  std::unique_ptr<std::uint32_t[]> cells_;  // [room_ · brick::kCells + 1]
 };
 
 /// Transmittance of the cells of all bricks, and of a brick of ones, slot 0.

@@ -151,6 +151,18 @@ class Pieces {
     compress(asInts(depth), m, depth_ + size_);
     size_ += compress(amount, m, amount_ + size_);
   }
+  /// A piece a lane, which is shared between the two slices nearest to its depth.
+  HWY_INLINE void write(Ints column, Floats depth, Ints amount) {
+    const Ints n(codes_.cells());
+    const Ints across = codes_.across(codes_.turn(shiftRight<kY>(column) - n),
+                                      codes_.turn((column & Ints(0xffff)) - n));
+    const Floats x = depth - Floats(0.5f);
+    const Ints slice = floorToInt(x);
+    const Ints far = min(truncate(toFloats(amount) * (x - toFloats(slice))), amount);
+    const Ints near = codes_.wrap(slice, 0);
+    adder_.add(across + codes_.along(near), amount - far);
+    adder_.add(across + codes_.along(codes_.next(near)), far);
+  }
   HWY_INLINE void flush() {
     write();
     adder_.flush();
@@ -163,20 +175,9 @@ class Pieces {
     store(Ints(column_[0]), column_ + size_);
     store(Ints(depth_[0]), depth_ + size_);
     store(Ints(0), amount_ + size_);
-    for (std::size_t l = 0; l < size_; l += kLanes) write(l);
+    for (std::size_t l = 0; l < size_; l += kLanes)
+      write(loadInts(column_ + l), asFloats(loadInts(depth_ + l)), loadInts(amount_ + l));
     size_ = 0;
-  }
-  /// Each is shared between the two slices nearest to its depth.
-  HWY_INLINE void write(std::size_t at) {
-    const Ints column = loadInts(column_ + at), amount = loadInts(amount_ + at), n(codes_.cells());
-    const Ints across = codes_.across(codes_.turn(shiftRight<kY>(column) - n),
-                                      codes_.turn((column & Ints(0xffff)) - n));
-    const Floats x = asFloats(loadInts(depth_ + at)) - Floats(0.5f);
-    const Ints slice = floorToInt(x);
-    const Ints far = min(truncate(toFloats(amount) * (x - toFloats(slice))), amount);
-    const Ints near = codes_.wrap(slice, 0);
-    adder_.add(across + codes_.along(near), amount - far);
-    adder_.add(across + codes_.along(codes_.next(near)), far);
   }
 
   static constexpr std::size_t kSize = 256;
@@ -220,19 +221,20 @@ HWY_INLINE void walkColumns(Vec3 a, Vec3 b, Ints count, Pieces& pieces) {
   const Floats whole = toFloats(count), middle = Floats(0.5f) * (b.x - a.x);
   Floats behind(0.0f);
   Ints left(0);
-  for (Mask on = count > Ints(0); any(on);) {
-    const Mask end = (y.left + z.left) == Ints(0);
+  for (Mask on = (count > Ints(0)) & ((y.left + z.left) > Ints(0)); any(on);) {
     const Floats wall = min(max(min(y.next, z.next), behind), Floats(1.0f));
-    const Ints reached = select(end, count, min(max(truncate(whole * wall), left), count));
+    const Ints reached = min(max(truncate(whole * wall), left), count);
     pieces.add(column, a.x + middle * (behind + wall), reached - left, on);
-    on = on & !end;
-    left = reached;
-    behind = wall;
-    const Mask alongY = y.next <= z.next;
-    column = column + select(alongY, wayY, wayZ);
+    left = select(on, reached, left);
+    behind = select(on, wall, behind);
+    const Mask alongY = on & (y.next <= z.next), alongZ = on & !alongY;
+    column = column + select(alongY, wayY, select(alongZ, wayZ, Ints(0)));
     y.cross(alongY);
-    z.cross(!alongY);
+    z.cross(alongZ);
+    on = on & ((y.left + z.left) > Ints(0));
   }
+  // What is behind the last wall all lanes have.
+  pieces.write(column, a.x + middle * (behind + Floats(1.0f)), count - left);
 }
 
 HWY_INLINE Floats amountOf(const SegmentScale& scale, Vec3 a, Vec3 b) {
