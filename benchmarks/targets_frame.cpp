@@ -48,7 +48,7 @@ double peakBytesOf(const char* argument) {
     _exit(1);
   }
   int status = 0;
-  struct rusage usage{};
+  struct rusage usage {};
   if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) return 0;
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
@@ -73,6 +73,13 @@ void addFrameRows(TargetRun& run) {
   run.table.row("whole frame; smooth; dancing", 1 / median(seconds), atLeast(500), "frames/s");
   run.table.row("self-collision of a whole frame; smooth", 0.1 * selfCollision / median(seconds),
                 atMost(2.5), "%");
+  // The paper's deposit: how much of the time is spent on the default's accuracy.
+  const Deposit deposit = std::exchange(performance.settings.map.deposit, Deposit::Points);
+  seconds.clear();
+  dance(performance, run.repeats(600), seconds);
+  performance.settings.map.deposit = deposit;
+  run.table.row("whole frame; smooth; dancing; deposit of the paper (Points)", 1 / median(seconds),
+                atLeast(500), "frames/s");
 }
 
 void addThreadRows(TargetRun& run) {
