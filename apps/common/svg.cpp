@@ -79,6 +79,9 @@ void Svg::words(double x, double y, std::string_view words, std::string_view att
 }
 
 std::string asFile(std::string svg) {
+  constexpr std::string_view kTitleEnd = "</title>\n";
+  svg.insert(svg.find(kTitleEnd) + kTitleEnd.size(),
+             "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
   return svg.replace(0, 4, "<svg xmlns=\"http://www.w3.org/2000/svg\"");
 }
 

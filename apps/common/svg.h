@@ -32,7 +32,8 @@ class Svg {
   std::string body_;
 };
 
-/// The same element as a file of its own: that must say what it is.
+/// The element as a file of its own: that says what it is, and stands on white wherever it is
+/// shown.
 std::string asFile(std::string svg);
 
 /// An axis: values to pixels, and where its ticks are.

@@ -19,6 +19,7 @@ constexpr double kWidth = kLeft + kPanelStep + kPanelWidth + 16, kHeight = 456;
 struct Series {
   std::string name;
   std::string_view colour;
+  double labelY;  // of a label from its marker
   int SimulationRow::*dial;
   std::vector<SimulationRow> rows;
 };
@@ -26,11 +27,12 @@ struct Series {
 // By what they differ in from the scene's own settings, which the twin has.
 std::vector<Series> seriesOf(const SubstepTrial& trial) {
   const SimulationRow& own = trial.twin;
-  const std::string at = text(" at ", own.substeps, " substeps");
+  const std::string solver = own.linkSolver == LinkSolver::Direct ? "direct: " : "relaxation: ";
+  const std::string at = text("iterations at ", own.substeps, " substeps");
   std::vector<Series> all = {
-      {"substeps a frame", "#0072b2", &SimulationRow::substeps, {}},
-      {"iterations" + at, "#009e73", &SimulationRow::iterations, {}},
-      {"relaxation: iterations" + at, "#d55e00", &SimulationRow::iterations, {}}};
+      {solver + "substeps a frame", "#0072b2", -7, &SimulationRow::substeps, {}},
+      {solver + at, "#009e73", 17, &SimulationRow::iterations, {}},
+      {"relaxation: " + at, "#d55e00", -7, &SimulationRow::iterations, {}}};
   for (const SimulationRow& row : trial.rows) {
     const std::size_t which = row.linkSolver != own.linkSolver   ? 2
                               : row.iterations != own.iterations ? 1
@@ -76,7 +78,7 @@ void drawPanel(Svg& svg, std::span<const Series> all, double left, std::string_v
     for (std::size_t i = 0; i < series.rows.size(); ++i) {
       const double px = line[2 * i], py = line[2 * i + 1];
       svg.rectangle(px - 3.5, py - 3.5, 7, 7, text("fill=\"", series.colour, "\""));
-      svg.words(px + 6, py - 7, text(series.rows[i].*series.dial),
+      svg.words(px + 6, py + series.labelY, text(series.rows[i].*series.dial),
                 text("font-size=\"11\" fill=\"", series.colour,
                      "\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\""));
     }
