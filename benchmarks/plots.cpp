@@ -175,10 +175,7 @@ void writePlots(const std::vector<Measured>& measured, const std::filesystem::pa
         std::ranges::all_of(rows, [](const Measured& row) { return number(row.how).has_value(); });
     const std::filesystem::path path = folder / (group + ".svg");
     std::ofstream file(path);
-    std::string svg = numbers ? linePlot(rows) : barPlot(rows);
-    // A file of its own, not a part of a page.
-    svg.replace(0, 4, "<svg xmlns=\"http://www.w3.org/2000/svg\"");
-    file << svg;
+    file << asFile(numbers ? linePlot(rows) : barPlot(rows));
     require(static_cast<bool>(file), path.string(), ": cannot be written");
   }
 }

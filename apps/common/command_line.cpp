@@ -154,6 +154,17 @@ void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, i
   command.add_flag("!--no-shadow", performance.shadow, "leave self-shadowing out");
   command.add_flag("!--no-self-collision", performance.selfCollision,
                    "leave hair-hair repulsion out");
+  static const std::map<std::string, LinkSolver> solvers = {{"direct", LinkSolver::Direct},
+                                                            {"relaxation", LinkSolver::Relaxation}};
+  command
+      .add_option("--solver", performance.linkSolver,
+                  "of the guides' links: direct (default) or relaxation, which stretches")
+      ->transform(CLI::CheckedTransformer(solvers, CLI::ignore_case))
+      ->type_name("SOLVER");
+  command
+      .add_option("--solver-iterations", performance.linkIterations,
+                  "of the solver a substep; default 2; relaxation wants 8 or more")
+      ->check(CLI::Range(1, 32));
   command
       .add_option("--settle", performance.settle, "seconds to settle in the first pose; default 1")
       ->check(within(0.0, 60.0));

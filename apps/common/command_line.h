@@ -32,7 +32,8 @@ void addHairOptions(CLI::App& command, SubjectOptions& subject);
 /// Those and --head, --motion, --motion-scale, --still, --guides
 void addSubjectOptions(CLI::App& command, SubjectOptions& subject);
 
-/// --fps, --cells, --light, --point, --wind, --no-shadow, --no-self-collision, --settle, --threads
+/// --fps, --cells, --light, --point, --wind, --no-shadow, --no-self-collision,
+/// --solver, --solver-iterations, --settle, --threads
 void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, int& threads);
 
 /// --profile, --stats, --hash

@@ -16,6 +16,8 @@ FrameSettings frameSettings(const Subject& subject, const PerformanceOptions& op
   FrameSettings settings;
   settings.selfCollision = options.selfCollision;
   settings.wind.velocity = options.wind;
+  settings.guides.linkSolver = options.linkSolver;
+  settings.guides.iterations = options.linkIterations;
   settings.shadow = options.shadow;
   settings.look = subject.look;
   settings.lights = options.lights;

@@ -17,10 +17,12 @@ struct PerformanceOptions {
   int cells = 128;  ///< --cells of each light's map along each axis
   /// --light and --point, in the order of the command line; none: kDefaultLight alone.
   std::vector<Light> lights;
-  bool shadow = true;         ///< --no-shadow
-  bool selfCollision = true;  ///< --no-self-collision
-  glm::vec3 wind{0};          ///< --wind X,Y,Z, m/s
-  float settle = 1;           ///< --settle, seconds in the first pose before the first frame
+  bool shadow = true;                               ///< --no-shadow
+  bool selfCollision = true;                        ///< --no-self-collision
+  glm::vec3 wind{0};                                ///< --wind X,Y,Z, m/s
+  LinkSolver linkSolver = LinkSolver::Direct;       ///< --solver, of the guides' links
+  int linkIterations = GuideSettings{}.iterations;  ///< --solver-iterations
+  float settle = 1;  ///< --settle, seconds in the first pose before the first frame
 };
 
 /// Settings of a frame for this subject: the map is as large as its hair needs (mapExtentNeeded).

@@ -78,6 +78,13 @@ void Svg::words(double x, double y, std::string_view words, std::string_view att
                 escaped(words), "</text>\n");
 }
 
+std::string asFile(std::string svg) {
+  constexpr std::string_view kTitleEnd = "</title>\n";
+  svg.insert(svg.find(kTitleEnd) + kTitleEnd.size(),
+             "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
+  return svg.replace(0, 4, "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+}
+
 double Axis::pixel(double value) const {
   const double part = logarithmic ? std::log(value / lowest) / std::log(highest / lowest)
                                   : (value - lowest) / (highest - lowest);
@@ -119,6 +126,30 @@ Axis linearAxis(double lowest, double highest, double from, double to, int count
     axis.ticks.push_back({value, brief(value)});
   }
   return axis;
+}
+
+void drawAxes(Svg& svg, const Axis& x, const Axis& y, std::string_view alongX,
+              std::string_view alongY) {
+  const double left = x.from, right = x.to, top = y.to, bottom = y.from;
+  for (const Axis::Tick& tick : x.ticks) {
+    const double at = x.pixel(tick.value);
+    const bool named = !tick.label.empty();
+    if (named) svg.line(at, top, at, bottom, "stroke=\"#ececec\"");
+    svg.line(at, bottom, at, bottom + (named ? 6 : 3), "stroke=\"#555\"");
+    if (named) svg.words(at, bottom + 20, tick.label, "text-anchor=\"middle\"");
+  }
+  for (const Axis::Tick& tick : y.ticks) {
+    const double at = y.pixel(tick.value);
+    const bool named = !tick.label.empty();
+    if (named) svg.line(left, at, right, at, "stroke=\"#ececec\"");
+    svg.line(left - (named ? 6 : 3), at, left, at, "stroke=\"#555\"");
+    if (named) svg.words(left - 9, at + 4, tick.label, "text-anchor=\"end\"");
+  }
+  svg.rectangle(left, top, right - left, bottom - top, "fill=\"none\" stroke=\"#555\"");
+  svg.words(0.5 * (left + right), bottom + 44, alongX, "text-anchor=\"middle\" font-size=\"13\"");
+  svg.words(0, 0, alongY,
+            text("text-anchor=\"middle\" font-size=\"13\" transform=\"translate(", left - 54, ' ',
+                 0.5 * (top + bottom), ") rotate(-90)\""));
 }
 
 }  // namespace hair

@@ -32,6 +32,10 @@ class Svg {
   std::string body_;
 };
 
+/// The element as a file of its own: that says what it is, and stands on white wherever it is
+/// shown.
+std::string asFile(std::string svg);
+
 /// An axis: values to pixels, and where its ticks are.
 struct Axis {
   struct Tick {
@@ -50,5 +54,9 @@ struct Axis {
 Axis logAxis(double lowest, double highest, double from, double to);
 /// Ticks at 1-2-5, about `count` of them; the ends stay as they are.
 Axis linearAxis(double lowest, double highest, double from, double to, int count);
+
+/// Frame, ticks, thin lines at labelled ticks, and what is along the axes. y.from is the bottom.
+void drawAxes(Svg& svg, const Axis& x, const Axis& y, std::string_view alongX,
+              std::string_view alongY);
 
 }  // namespace hair

@@ -93,7 +93,8 @@ struct MeasureMotionOptions {
   SimulationTrialSettings trial;
   std::vector<std::size_t> guideCounts{402, 201, 100, 50, 25};  ///< empty: guides are not thinned
   int threads = 0;
-  std::filesystem::path csv;  ///< one row a setting
+  std::filesystem::path csv;   ///< one row a setting
+  std::filesystem::path plot;  ///< SVG of the substeps' trial
 };
 void runMeasureMotion(const MeasureMotionOptions& options);
 

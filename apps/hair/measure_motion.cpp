@@ -2,7 +2,9 @@
 #include <iostream>
 
 #include <apps/common/measured.h>
+#include <apps/common/svg.h>
 #include <apps/hair/commands.h>
+#include <apps/hair/motion_plot.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>
@@ -70,7 +72,10 @@ void runMeasureMotion(const MeasureMotionOptions& options) {
     printHead("tips of guides");
     show("half of reference", result.reference);
     show("twin", result.twin);
-    for (const SimulationRow& row : result.rows) show("substeps", row);
+    for (const SimulationRow& row : result.rows)
+      show(row.linkSolver == LinkSolver::Direct ? "substeps" : "relaxation", row);
+    if (!options.plot.empty())
+      writeAtomically(options.plot, [&](std::ostream& out) { out << asFile(motionPlot(result)); });
   }
   if (!options.guideCounts.empty()) {
     const GuideCountTrial result = measureGuideCounts(scene, options.guideCounts, trial);

@@ -100,7 +100,13 @@ void addMeasureMotion(CLI::App& app, Run& run) {
       ->check(CLI::Range(1, 1024));
   command
       ->add_option("--iterations", trial.iterations,
-                   "Newton iterations a substep, beside the usual 2; default 1,4")
+                   "of the links' solver a substep, beside the usual 2; default 1,4")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 32));
+  command
+      ->add_option("--relaxation", trial.relaxation,
+                   "iterations of the relaxation solver, at the usual substeps; default "
+                   "1,2,4,8,16,32")
       ->delimiter(',')
       ->check(CLI::Range(1, 32));
   command
@@ -110,9 +116,13 @@ void addMeasureMotion(CLI::App& app, Run& run) {
       ->check(CLI::Range(1, 1'000'000));
   command->add_option("--csv", options->csv, "the same table, a row a setting")
       ->check(endsWith(".csv"));
+  command
+      ->add_option("--plot", options->plot,
+                   "error and stretch of the motion against time, a picture")
+      ->check(endsWith(".svg"));
   command->footer(
       "Examples:\n"
-      "  hair measure-motion --style smooth --csv motion.csv\n"
+      "  hair measure-motion --style smooth --csv motion.csv --plot motion.svg\n"
       "  hair measure-motion --no-self-collision --substeps 4,8 --guide-counts 100\n"
       "`half of reference` is how far the converged run is from one with half its substeps, "
       "`twin`\n"

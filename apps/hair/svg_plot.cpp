@@ -72,30 +72,6 @@ class LabelPlacer {
   std::vector<Box> taken_;
 };
 
-void drawAxes(Svg& svg, const Axis& x, const Axis& y, std::size_t pointCount) {
-  for (const Axis::Tick& tick : x.ticks) {
-    const double at = x.pixel(tick.value);
-    const bool named = !tick.label.empty();
-    if (named) svg.line(at, kTop, at, kBottom, "stroke=\"#ececec\"");
-    svg.line(at, kBottom, at, kBottom + (named ? 6 : 3), "stroke=\"#555\"");
-    if (named) svg.words(at, kBottom + 20, tick.label, "text-anchor=\"middle\"");
-  }
-  for (const Axis::Tick& tick : y.ticks) {
-    const double at = y.pixel(tick.value);
-    const bool named = !tick.label.empty();
-    if (named) svg.line(kLeft, at, kRight, at, "stroke=\"#ececec\"");
-    svg.line(kLeft - (named ? 6 : 3), at, kLeft, at, "stroke=\"#555\"");
-    if (named) svg.words(kLeft - 9, at + 4, tick.label, "text-anchor=\"end\"");
-  }
-  svg.rectangle(kLeft, kTop, kRight - kLeft, kBottom - kTop, "fill=\"none\" stroke=\"#555\"");
-  svg.words(0.5 * (kLeft + kRight), kBottom + 44,
-            text("time to build and to sample all ", pointCount, " points of the hair (ms)"),
-            "text-anchor=\"middle\" font-size=\"13\"");
-  svg.words(0, 0, "mean absolute error of transmittance",
-            text("text-anchor=\"middle\" font-size=\"13\" transform=\"translate(20 ",
-                 0.5 * (kTop + kBottom), ") rotate(-90)\""));
-}
-
 void drawLegend(Svg& svg, std::span<const ShadowTrial> trials) {
   std::vector<std::string> methods;
   for (const ShadowTrial& trial : trials)
@@ -160,7 +136,9 @@ std::string errorTimePlot(std::span<const ShadowTrial> trials, std::span<const s
                          kLeft, kRight);
   const Axis y = logAxis(static_cast<double>(range.lower.y), static_cast<double>(range.upper.y),
                          kBottom, kTop);
-  drawAxes(svg, x, y, pointCount);
+  drawAxes(svg, x, y,
+           text("time to build and to sample all ", pointCount, " points of the hair (ms)"),
+           "mean absolute error of transmittance");
   drawLegend(svg, trials);
 
   LabelPlacer placer({kLeft + 3, kTop + 3, kRight - 3, kBottom - 3});

@@ -22,6 +22,17 @@ struct Contact {
   bool touched = false;  ///< a lane rests on it
 };
 
+/// How much of its freedom along the normal a touching point loses. Not all of it: a link that
+/// stands on its contact would have no freedom left, and the system no solution.
+inline constexpr float kSlide = 0.98f;
+
+/// What is left of a point's movement where it may only slide.
+HWY_INLINE Vec3 slide(const Contact& contact, const Vec3& move) {
+  if (!contact.touched) return move;
+  const Vec3& normal = contact.plane.normal;
+  return move - select(contact.touching, kSlide * dot(normal, move), Floats(0.0f)) * normal;
+}
+
 /// One Newton iteration on all link constraints |x_(i+1) - x_i| = l_i of sixteen strands at once.
 ///
 /// With C the violations, J their gradients (± d_i on the two ends) and W the inverse masses:
@@ -35,9 +46,6 @@ struct Contact {
 HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
                              const Lanes* inverseMass, const Contact* contacts, Floats* lambda,
                              Vec3* x) {
-  // How much of its freedom along the normal a touching point loses. Not all of it: a link that
-  // stands on its contact would have no freedom left, and the system no solution.
-  const Floats slide = 0.98f;
   const std::uint32_t links = points - 1;
   Vec3 d[kMaxGuidePoints];
   Floats above[kMaxGuidePoints], right[kMaxGuidePoints];
@@ -56,15 +64,15 @@ HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
       if (contacts[i].touched) {
         const Floats into =
             select(contacts[i].touching, dot(contacts[i].plane.normal, d[i]), Floats(0.0f));
-        turn = turn - slide * (intoBefore * into);
-        a = a - a * (slide * (into * into));
+        turn = turn - kSlide * (intoBefore * into);
+        a = a - a * (kSlide * (into * into));
       }
       c = c * turn;
     }
     if (contacts[i + 1].touched) {
       intoBefore =
           select(contacts[i + 1].touching, dot(contacts[i + 1].plane.normal, d[i]), Floats(0.0f));
-      b = b - b * (slide * (intoBefore * intoBefore));
+      b = b - b * (kSlide * (intoBefore * intoBefore));
     }
     Floats diagonal = a + b, rhs = Floats(linkLength[i]) - lengthNow;
     if (i > 0) {
@@ -84,13 +92,7 @@ HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
     after = right[i];
     lambda[i] = lambda[i] + after;
     const Vec3 pull = after * d[i];
-    Vec3 move = pull - moveAfter;
-    const Contact& contact = contacts[i + 1];
-    if (contact.touched) {
-      const Floats into =
-          select(contact.touching, slide * dot(contact.plane.normal, move), Floats(0.0f));
-      move = move - into * contact.plane.normal;
-    }
+    const Vec3 move = slide(contacts[i + 1], pull - moveAfter);
     x[i + 1] = x[i + 1] + Floats(inverseMass[i + 1]) * move;
     moveAfter = pull;
   }

@@ -4,6 +4,12 @@
 
 namespace hair {
 
+/// How links are brought to their lengths in a substep.
+enum class LinkSolver {
+  Direct,     ///< all links of a strand at once (Newton), then exactly: no stretch
+  Relaxation  ///< one after the other, as the paper: stretch shrinks with the iterations
+};
+
 /// How guide strands move. The defaults are a human hair's, stiffened near the root as a groomed
 /// wisp is; `{}` gives the paper's hairstyle at interactive rate.
 struct GuideSettings {
@@ -19,7 +25,8 @@ struct GuideSettings {
   float skin = 3e-3f;               ///< metres that guide points keep from colliders, >= 0
   glm::vec3 gravity{0, -9.81f, 0};  ///< m/s²
   float substep = 1.0f / 480.0f;  ///< seconds; a frame is cut into equal steps no longer than this
-  int iterations = 2;             ///< Newton iterations of the link constraints a substep, 1 to 32
+  LinkSolver linkSolver = LinkSolver::Direct;
+  int iterations = 2;  ///< of the link solver a substep, 1 to 32; relaxation wants 8 or more
 };
 
 /// Throws Error that names the field and its range.

@@ -5,6 +5,7 @@
 #include <libhair/guides/bending-inl.h>
 #include <libhair/guides/contact-inl.h>
 #include <libhair/guides/links-inl.h>
+#include <libhair/guides/relaxation-inl.h>
 
 #include <algorithm>
 
@@ -35,6 +36,15 @@ struct Scratch {
   Contact contacts[kMaxGuidePoints];
   NearCapsule near[kMaxCapsules];
 };
+
+// Of the links, unit.
+template <class Points>
+HWY_INLINE void findDirections(std::uint32_t points, const Points* x, Vec3* directions) {
+  for (std::uint32_t i = 0; i + 1 < points; ++i) {
+    const Vec3 e = Vec3(x[i + 1]) - Vec3(x[i]);
+    directions[i] = (Floats(1.0f) / max(length(e), Floats(1e-12f))) * e;
+  }
+}
 
 // Distance from the head at which the air moves with half its speed.
 inline constexpr float kCarriedAirRadius = 0.3f;
@@ -159,9 +169,30 @@ HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surrou
   return again;
 }
 
+// Links of the group at their lengths, points outside of their colliders.
+HWY_INLINE void solveLinks(const Group& g, const GuideSettings& settings, Scratch& s) {
+  for (int iteration = 0; iteration < settings.iterations; ++iteration) {
+    pushOut(g, settings.friction, s);
+    correctLinks(g.points, g.linkLength, g.inverseMass, s.contacts, s.lambda, s.x);
+  }
+  finishLinks(g.points, g.linkLength, g.bending.inverseLength, s.contacts, s.x, s.directions);
+}
+
+// The same by relaxation, whose stretch stays: to put links at their lengths as finishLinks does
+// would take the momentum out of what the sweeps have left.
+HWY_NOINLINE void relax(const Group& g, const GuideSettings& settings, Scratch& s) {
+  for (int iteration = 0; iteration < settings.iterations; ++iteration) {
+    pushOut(g, settings.friction, s);
+    relaxLinks(g.points, g.linkLength, g.inverseMass, s.contacts, s.x);
+  }
+  pushOut(g, settings.friction, s);
+  findDirections(g.points, s.x, s.directions);
+}
+
 void substep(const Group& g, const GuideSettings& settings, const Wind& wind, double time, float h,
              const SubstepColliders& colliders, Scratch& s) {
   const std::uint32_t n = g.points, links = n - 1;
+  const bool direct = settings.linkSolver == LinkSolver::Direct;
   predict(g, settings, wind, time, h, colliders, s);
   s.x[0] = rotate(colliders.turn, g.restPosition[0]) + Vec3(colliders.at);
   const RootFrame root{rotate(colliders.turn, g.rest.tangent),
@@ -176,14 +207,16 @@ void substep(const Group& g, const GuideSettings& settings, const Wind& wind, do
   for (std::uint32_t i = 0; i < links; ++i) s.lambda[i] = 0.0f;
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
-    for (int iteration = 0; iteration < settings.iterations; ++iteration) {
-      pushOut(g, settings.friction, s);
-      correctLinks(n, g.linkLength, g.inverseMass, s.contacts, s.lambda, s.x);
-    }
-    finishLinks(n, g.linkLength, g.bending.inverseLength, s.contacts, s.x, s.directions);
+    if (direct)
+      solveLinks(g, settings, s);
+    else
+      relax(g, settings, s);
     if (!lookAgain(g, settings.skin, near.capsules, around, s)) break;
   }
 
+  // Relaxation leaves lambda 0, and tension where it was, at rest: that holds the groom, and does
+  // no work on links that keep their lengths. Feeding it back from sweeps that have not converged
+  // would make links swing.
   const Floats perStep = 1.0f / h, perStep2 = 1.0f / (h * h);
   for (std::uint32_t i = 0; i < links; ++i)
     store(Floats(g.tension[i]) - perStep2 * s.lambda[i], g.tension[i]);
@@ -218,10 +251,7 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
         {guides.rootTangent[k], guides.rootNormal[k]},
         {n, &guides.curvature[l], &guides.jointStiffness[l], &guides.inverseLength[l],
          &factors.inverseD[p], &factors.below1[p], &factors.below2[p], factors.damping}};
-    for (std::uint32_t i = 0; i < links; ++i) {
-      const Vec3 e = Vec3(group.position[i + 1]) - Vec3(group.position[i]);
-      s.directions[i] = (Floats(1.0f) / max(length(e), Floats(1e-12f))) * e;
-    }
+    findDirections(n, group.position, s.directions);
     for (std::uint32_t i = 0; i < n; ++i)
       s.seenAt[i] = group.position[i], s.clear[i] = Clearance(0);
     double time = motion.time;

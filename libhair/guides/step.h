@@ -39,9 +39,11 @@ struct GuideWorkspace {
 ///   2. bend: implicit Euler on the bending energy (bending.h), one solve;
 ///   3. contact: the nearest collider's plane for each point, with friction (contact-inl.h);
 ///   4. links: Newton iterations, all links of a strand at once (links-inl.h), then exact lengths;
+///      or relaxation, one link after the other (relaxation-inl.h), with the stretch that it
+///      leaves;
 ///   5. velocity = movement / h.
 /// Predicting with the last tension makes a groom at rest a fixed point of every substep, and is a
-/// good start for Newton otherwise.
+/// good start for Newton otherwise. (Relaxation leaves tension as it is.)
 /// Throws Error: seconds not in (0, 1], settings out of range, counts that differ, wind that is not
 /// finite. One workspace goes with one GuideStrands.
 void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,

@@ -23,8 +23,9 @@ void check(const SimulationTrialSettings& s) {
           "simulation trial: referenceSubsteps = ", s.referenceSubsteps,
           " must be even, and at least 2: the reference is compared with half as many");
   for (int n : s.substeps) require(n >= 1, "simulation trial: substeps = ", n, "; take at least 1");
-  for (int n : s.iterations)
-    require(n >= 1, "simulation trial: iterations = ", n, "; take at least 1");
+  for (const auto& iterations : {s.iterations, s.relaxation})
+    for (int n : iterations)
+      require(n >= 1, "simulation trial: iterations = ", n, "; take at least 1");
 }
 
 // The scene without what comes after the hair's motion.
@@ -109,6 +110,7 @@ Run perform(ScenePlayer& player, const SimulationTrialSettings& settings, Tips w
   Run run;
   ProfileLog log;
   run.row.substeps = substepsOf(player.scene);
+  run.row.linkSolver = player.scene.settings.guides.linkSolver;
   run.row.iterations = player.scene.settings.guides.iterations;
   run.row.guides = player.hair.guides.guideCount();
   for (int f = 0; f < settings.frames; ++f) {
@@ -167,8 +169,9 @@ SubstepTrial measureSubsteps(const MeasuredScene& scene, const SimulationTrialSe
   const Start start(player.hair);
   GuideSettings& guides = player.scene.settings.guides;
   const GuideSettings own = guides;
-  const auto run = [&](int substeps, int iterations) {
+  const auto run = [&](int substeps, LinkSolver solver, int iterations) {
     start.to(player);
+    guides.linkSolver = solver;
     guides.substep = scene.frameSeconds / static_cast<float>(substeps);
     guides.iterations = iterations;
     return perform(player, settings, Tips::Guides);
@@ -189,15 +192,17 @@ SubstepTrial measureSubsteps(const MeasuredScene& scene, const SimulationTrialSe
   const Run reference = converge(settings.referenceSubsteps);
   trial.reference = reference.row;
   trial.reference.tips = distance(converge(settings.referenceSubsteps / 2), reference, settings);
-  const auto add = [&](int substeps, int iterations) {
-    const Run row = run(substeps, iterations);
+  const auto add = [&](int substeps, LinkSolver solver, int iterations) {
+    const Run row = run(substeps, solver, iterations);
     trial.rows.push_back(row.row);
     trial.rows.back().tips = distance(row, reference, settings);
   };
-  for (int substeps : settings.substeps) add(substeps, own.iterations);
-  for (int iterations : settings.iterations) add(substepsOf(scene), iterations);
+  const int usual = substepsOf(scene);
+  for (int substeps : settings.substeps) add(substeps, own.linkSolver, own.iterations);
+  for (int iterations : settings.iterations) add(usual, own.linkSolver, iterations);
+  for (int iterations : settings.relaxation) add(usual, LinkSolver::Relaxation, iterations);
 
-  const Run mine = run(substepsOf(scene), own.iterations);
+  const Run mine = run(usual, own.linkSolver, own.iterations);
   const Run twin = performTwin(player, start, settings, Tips::Guides);
   trial.twin = twin.row;
   trial.twin.tips = distance(twin, mine, settings);

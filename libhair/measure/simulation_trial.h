@@ -18,8 +18,9 @@ struct TipDistance {
 
 /// One run, and how far it is from the run that it is compared with.
 struct SimulationRow {
-  int substeps = 0;    ///< a frame
-  int iterations = 0;  ///< Newton iterations a substep
+  int substeps = 0;  ///< a frame
+  LinkSolver linkSolver = LinkSolver::Direct;
+  int iterations = 0;  ///< of the link solver a substep
   std::size_t guides = 0;
   TipDistance tips;
   float stretchMax = 0;      ///< GuideStats, the worst of all frames
@@ -35,6 +36,7 @@ struct SimulationTrialSettings {
   int referenceSubsteps = 64;  ///< even; of the converged run
   std::vector<int> substeps{1, 2, 4, 8, 16, 32};
   std::vector<int> iterations{1, 4};  ///< beside the scene's own, at the scene's own substeps
+  std::vector<int> relaxation{1, 2, 4, 8, 16, 32};  ///< iterations of LinkSolver::Relaxation there
 };
 
 /// Time against accuracy of the guides' integration.
@@ -61,9 +63,11 @@ struct SimulationTrialSettings {
 /// other side of something. Poses are known at frames and blended between them in every run: the
 /// error of that is in none of them, nor is that of the settled state, which all runs share.
 struct SubstepTrial {
-  SimulationRow reference;          ///< its distance: from the run with half its substeps
-  SimulationRow twin;               ///< of the scene's own settings; its distance: from their run
-  std::vector<SimulationRow> rows;  ///< `substeps`, then `iterations`; distance from the reference
+  SimulationRow reference;  ///< its distance: from the run with half its substeps
+  SimulationRow twin;       ///< of the scene's own settings; its distance: from their run
+  /// `substeps`, `iterations`, `relaxation`; distance from the reference, which is solved as the
+  /// scene is.
+  std::vector<SimulationRow> rows;
 };
 
 /// Tips are the guides'. Shadows and shading are not run; self-collision as the scene's settings

@@ -29,27 +29,38 @@ std::vector<std::string> fieldsOf(const std::string& line) {
 
 TEST(MeasureMotion, WritesARowASetting) {
   const TemporaryFolder folder;
-  const auto csv = folder / "motion.csv";
+  const auto csv = folder / "motion.csv", plot = folder / "motion.svg";
   const Outcome outcome =
       run("measure-motion --strands 200 --frames 3 --settle 0.05 --reference 4 --substeps 1,4 "
-          "--iterations 3 --guide-counts 30,10 --csv " +
-          csv.string());
+          "--iterations 3 --relaxation 5 --guide-counts 30,10 --csv " +
+          csv.string() + " --plot " + plot.string());
   ASSERT_EQ(outcome.code, 0) << outcome.out;
   const auto lines = linesOf(csv);
-  ASSERT_EQ(lines.size(), 10u);
+  ASSERT_EQ(lines.size(), 11u);
   EXPECT_EQ(lines[0],
             "what,substeps,iterations,guides,tip_early_mm,tip_rms_mm,tip_late_mm,tip_max_mm,"
             "stretch_max,penetration_max_mm,guides_ms,wisps_ms");
-  const std::vector<std::string> starts = {
-      "half of reference,4,2,402,", "twin,8,2,402,",     "substeps,1,2,402,",
-      "substeps,4,2,402,",          "substeps,8,3,402,", "all guides,8,2,402,0,0,0,0,",
-      "all guides twin,8,2,402,",   "bound to,8,2,30,",  "bound to,8,2,10,"};
+  const std::vector<std::string> starts = {"half of reference,4,2,402,",
+                                           "twin,8,2,402,",
+                                           "substeps,1,2,402,",
+                                           "substeps,4,2,402,",
+                                           "substeps,8,3,402,",
+                                           "relaxation,8,5,402,",
+                                           "all guides,8,2,402,0,0,0,0,",
+                                           "all guides twin,8,2,402,",
+                                           "bound to,8,2,30,",
+                                           "bound to,8,2,10,"};
   for (std::size_t i = 0; i < starts.size(); ++i) {
     EXPECT_TRUE(lines[i + 1].starts_with(starts[i])) << lines[i + 1];
     EXPECT_EQ(fieldsOf(lines[i + 1]).size(), 12u) << lines[i + 1];
   }
   // The same on the screen.
-  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 16) << outcome.out;
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 17) << outcome.out;
+  // A marker a setting in each of two panels, and the legend's.
+  const auto svg = linesOf(plot);
+  EXPECT_EQ(std::ranges::count_if(
+                svg, [](const auto& l) { return l.find("width=\"7\"") != std::string::npos; }),
+            2 * 4 + 3);
 }
 
 TEST(Plan, WritesARowAFeature) {
@@ -88,6 +99,8 @@ TEST(MeasureCommands, ExitCodesTellBadInputFromBadUsage) {
       {"measure-motion --substeps 0", 2},
       {"measure-motion --substeps 1,x", 2},
       {"measure-motion --iterations 33", 2},
+      {"measure-motion --relaxation 0", 2},
+      {"measure-motion --solver guess", 2},
       {"measure-motion --guide-counts 0", 2},
       {"measure-motion --frames 0", 2},
       {"measure-motion --csv motion.txt", 2},

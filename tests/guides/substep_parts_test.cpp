@@ -6,6 +6,7 @@
 #include <libhair/core/simd-inl.h>
 #include <libhair/guides/bending-inl.h>
 #include <libhair/guides/links-inl.h>
+#include <libhair/guides/relaxation-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
@@ -31,9 +32,10 @@ void bend(const GuideStrands& guides, const BendingFactors& factors, const LaneV
   for (std::uint32_t i = 0; i < n; ++i) store(moved[i], x[i]);
 }
 
-// Points of `touching` (a bit each) rest in all lanes on planes with these normals.
-void correct(const GuideStrands& guides, std::uint32_t touching, const LaneVec3* normals,
-             Lanes* lambda, LaneVec3* x) {
+// Points of `touching` (a bit each) rest in all lanes on planes with these normals. Relaxation
+// leaves lambda 0.
+void correct(const GuideStrands& guides, LinkSolver solver, std::uint32_t touching,
+             const LaneVec3* normals, Lanes* lambda, LaneVec3* x) {
   const std::uint32_t n = guides.pointsPerGuide();
   Vec3 moved[kMaxGuidePoints];
   Floats sum[kMaxGuidePoints];
@@ -44,7 +46,11 @@ void correct(const GuideStrands& guides, std::uint32_t touching, const LaneVec3*
     contacts[i].touching = !none();
     contacts[i].plane.normal = normals[i];
   }
-  correctLinks(n, guides.linkLength.data(), guides.inverseMass.data(), contacts, sum, moved);
+  const Lanes *length = guides.linkLength.data(), *inverseMass = guides.inverseMass.data();
+  if (solver == LinkSolver::Direct)
+    correctLinks(n, length, inverseMass, contacts, sum, moved);
+  else
+    relaxLinks(n, length, inverseMass, contacts, moved);
   for (std::uint32_t i = 0; i < n; ++i) store(moved[i], x[i]);
   for (std::uint32_t i = 0; i + 1 < n; ++i) store(sum[i], lambda[i]);
 }
@@ -203,19 +209,21 @@ TEST(GuideParts, BendingSolvesItsImplicitSystem) {
   }
 }
 
-TEST(GuideParts, LinksTakeOneNewtonStep) {
-  GuideStrands guides(crooked(), {});
-  const std::uint32_t touching = 0b001001101000;
-  std::vector<LaneVec3> x = guides.position, normals(kPoints);
-  for (std::uint32_t i = 0; i < kPoints; ++i)
-    for (std::uint32_t l = 0; l < kLanes; ++l) {
-      if (i > 0) setLane(x[i], l, lane(x[i], l) + scatter(i * 16 + l, 0.001f));
-      setLane(normals[i], l, glm::normalize(scatter(3000 + i * 16 + l, 1)));
-    }
-  std::vector<LaneVec3> y = x;
-  std::vector<Lanes> lambda(kLinks);
-  HWY_DYNAMIC_DISPATCH(correct)(guides, touching, normals.data(), lambda.data(), y.data());
-  for (std::size_t l = 0; l < kLanes; ++l) {
+// Links that are off their lengths, and points that touch.
+struct StretchedLinks {
+  GuideStrands guides{crooked(), {}};
+  std::uint32_t touching = 0b001001101000;
+  std::vector<LaneVec3> x = guides.position, normals{kPoints};
+
+  StretchedLinks() {
+    for (std::uint32_t i = 0; i < kPoints; ++i)
+      for (std::uint32_t l = 0; l < kLanes; ++l) {
+        if (i > 0) setLane(x[i], l, lane(x[i], l) + scatter(i * 16 + l, 0.001f));
+        setLane(normals[i], l, glm::normalize(scatter(3000 + i * 16 + l, 1)));
+      }
+  }
+  // Of the points: what a force moves them by.
+  std::vector<glm::dmat3> inverseMasses(std::size_t l) const {
     std::vector<glm::dmat3> w(kPoints, glm::dmat3(0));
     for (std::uint32_t i = 1; i < kPoints; ++i) {
       const glm::dvec3 n = lane(normals[i], l);
@@ -223,6 +231,19 @@ TEST(GuideParts, LinksTakeOneNewtonStep) {
       if (touching >> i & 1) w[i] -= 0.98 * glm::outerProduct(n, n);
       w[i] *= 1.0 / static_cast<double>(guides.pointMass[i][l]);
     }
+    return w;
+  }
+};
+
+TEST(GuideParts, LinksTakeOneNewtonStep) {
+  const StretchedLinks stretched;
+  const auto& [guides, touching, x, normals] = stretched;
+  std::vector<LaneVec3> y = x;
+  std::vector<Lanes> lambda(kLinks);
+  HWY_DYNAMIC_DISPATCH(correct)
+  (guides, LinkSolver::Direct, touching, normals.data(), lambda.data(), y.data());
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const std::vector<glm::dmat3> w = stretched.inverseMasses(l);
     // Row i of J: -d_i at point i, d_i at point i + 1.
     std::vector<std::vector<glm::dvec3>> j(kLinks, std::vector<glm::dvec3>(kPoints, glm::dvec3(0)));
     std::vector<double> c(kLinks);
@@ -246,6 +267,31 @@ TEST(GuideParts, LinksTakeOneNewtonStep) {
       const glm::dvec3 got = glm::dvec3(lane(y[p], l)) - glm::dvec3(lane(x[p], l));
       ASSERT_LT(glm::length(got - move), 1e-6) << "lane " << l;
     }
+  }
+}
+
+TEST(GuideParts, RelaxationTakesOneLinkAfterTheOther) {
+  const StretchedLinks s;
+  std::vector<LaneVec3> y = s.x;
+  std::vector<Lanes> lambda(kLinks);
+  HWY_DYNAMIC_DISPATCH(correct)
+  (s.guides, LinkSolver::Relaxation, s.touching, s.normals.data(), lambda.data(), y.data());
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const std::vector<glm::dmat3> w = s.inverseMasses(l);
+    std::vector<glm::dvec3> p;
+    for (std::uint32_t i = 0; i < kPoints; ++i) p.emplace_back(lane(s.x[i], l));
+    for (std::uint32_t i = 0; i < kLinks; ++i) {
+      const glm::dvec3 e = p[i + 1] - p[i], d = glm::normalize(e);
+      const double push = (static_cast<double>(s.guides.linkLength[i][l]) - glm::length(e)) /
+                          glm::dot(d, (w[i] + w[i + 1]) * d);
+      p[i] -= push * (w[i] * d);
+      p[i + 1] += push * (w[i + 1] * d);
+      // The link itself is then at its length, but for the second order where a contact turns it.
+      EXPECT_NEAR(glm::distance(p[i], p[i + 1]), static_cast<double>(s.guides.linkLength[i][l]),
+                  2e-4);
+    }
+    for (std::uint32_t i = 0; i < kPoints; ++i)
+      ASSERT_LT(glm::distance(glm::dvec3(lane(y[i], l)), p[i]), 1e-6) << "lane " << l;
   }
 }
 

@@ -26,6 +26,7 @@ SimulationTrialSettings quick() {
   settings.earlyFrames = 10;
   settings.substeps = {1, 2, 4, 8, 16};
   settings.iterations = {};
+  settings.relaxation = {};
   return settings;
 }
 
@@ -106,6 +107,26 @@ TEST(SubstepTrial, MeansLieBelowTheWorstAndLinksKeepTheirLengths) {
   }
 }
 
+TEST(SubstepTrial, RelaxationComesCloserAsItIterates) {
+  SimulationTrialSettings settings = quick();
+  settings.substeps = {8};  // the scene's own
+  settings.relaxation = {1, 4, 16};
+  const SubstepTrial trial = measureSubsteps(pendulums(), settings);
+  ASSERT_EQ(trial.rows.size(), 4u);
+  EXPECT_EQ(trial.rows[0].linkSolver, LinkSolver::Direct);
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_EQ(trial.rows[i].linkSolver, LinkSolver::Relaxation);
+    EXPECT_EQ(trial.rows[i].iterations, settings.relaxation[i - 1]);
+    EXPECT_EQ(trial.rows[i].substeps, 8);
+    EXPECT_GT(trial.rows[i].stretchMax, trial.rows[0].stretchMax);
+  }
+  EXPECT_LT(trial.rows[2].stretchMax, 0.5f * trial.rows[1].stretchMax);
+  EXPECT_LT(trial.rows[3].stretchMax, 0.5f * trial.rows[2].stretchMax);
+  EXPECT_LT(trial.rows[3].tips.rms, trial.rows[1].tips.rms);
+  // What it leaves of the scene's settings is the scene's: the twin is solved directly.
+  EXPECT_EQ(trial.twin.linkSolver, LinkSolver::Direct);
+}
+
 TEST(GuideCountTrial, AGroomBoundAgainToItsOwnGuidesMovesAsBefore) {
   MeasuredScene scene = shakenScene(boundSphere(200, 40));
   scene.settings.selfCollision = false;
@@ -131,7 +152,7 @@ TEST(SimulationTrial, SettingsOutOfRangeAreErrors) {
        {with([](S& s) { s.frames = 0; }), with([](S& s) { s.earlyFrames = 41; }),
         with([](S& s) { s.earlyFrames = 0; }), with([](S& s) { s.referenceSubsteps = 7; }),
         with([](S& s) { s.referenceSubsteps = 0; }), with([](S& s) { s.substeps = {0}; }),
-        with([](S& s) { s.iterations = {33}; })})
+        with([](S& s) { s.iterations = {33}; }), with([](S& s) { s.relaxation = {0}; })})
     EXPECT_THROW(measureSubsteps(scene, bad), Error);
   const std::size_t none[] = {0};
   EXPECT_THROW(measureGuideCounts(scene, none, quick()), Error);
