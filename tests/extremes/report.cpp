@@ -1,0 +1,104 @@
+#include "report.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+
+#include "bad_inputs.h"
+
+namespace hair::extremes {
+
+namespace {
+
+/// What a set of combinations came to.
+struct Sum {
+  std::size_t count = 0, refused = 0, violations = 0;
+  float stretch = 0;
+  double recovery = -1;
+
+  void add(const Outcome& o) {
+    ++count;
+    refused += o.refused.empty() ? 0 : 1;
+    violations += o.violations.empty() ? 0 : 1;
+    stretch = std::max(stretch, o.stretch);
+    recovery = std::max(recovery, o.recovery);
+  }
+};
+
+void writeLine(const std::string& name, const Sum& sum, std::ostream& out) {
+  out << "| " << name << " | " << sum.count << " | " << sum.refused << " | " << sum.violations
+      << " | " << std::setprecision(2) << 100 * sum.stretch << " % | ";
+  if (sum.recovery >= 0)
+    out << std::fixed << std::setprecision(2) << sum.recovery << " s" << std::defaultfloat;
+  out << " |\n";
+}
+
+void writeHead(const std::string& name, std::ostream& out) {
+  out << "\n| " << name
+      << " | combinations | refused | violations | worst stretch | worst recovery |\n"
+         "|---|---|---|---|---|---|\n";
+}
+
+template <class Matches>
+Sum sumOf(const std::vector<Done>& all, Matches&& matches) {
+  Sum sum;
+  for (const Done& d : all)
+    if (matches(d.values)) sum.add(d.outcome);
+  return sum;
+}
+
+std::string quoted(std::string text) {
+  std::ranges::replace(text, '"', '\'');
+  std::ranges::replace(text, '\n', ' ');
+  return '"' + text + '"';
+}
+
+}  // namespace
+
+std::string nameOf(const std::vector<std::size_t>& values) {
+  const std::size_t count = dimensions().size();
+  std::string name;
+  const auto add = [&](const std::string& part) { name += (name.empty() ? "" : "; ") + part; };
+  for (std::size_t d = 0; d < count; ++d)
+    if (values[d] > 0)
+      add(std::string(dimensions()[d].name) + ": " + dimensions()[d].values[values[d]].name);
+  if (values[count] > 0)
+    add(std::string(badInputs()[values[count] - 1].name) + " = " +
+        badValues()[values[count + 1]].name);
+  return name.empty() ? "ordinary" : name;
+}
+
+void writeCsv(const std::vector<Done>& all, std::ostream& out) {
+  out << "number,combination,refused,violations,stretch,speed of allowed,recovery s\n";
+  for (const Done& d : all) {
+    std::string violations;
+    for (const std::string& v : d.outcome.violations) violations += v + ". ";
+    out << d.number << ',' << quoted(nameOf(d.values)) << ',' << quoted(d.outcome.refused) << ','
+        << quoted(violations) << ',' << d.outcome.stretch << ',' << d.outcome.speed << ','
+        << d.outcome.recovery << '\n';
+  }
+}
+
+void writeTables(const std::vector<Done>& all, std::ostream& out) {
+  const std::size_t count = dimensions().size();
+  for (std::size_t d = 0; d < count; ++d) {
+    writeHead(dimensions()[d].name, out);
+    for (std::size_t v = 0; v < dimensions()[d].values.size(); ++v)
+      writeLine(
+          dimensions()[d].values[v].name,
+          sumOf(all, [&](const auto& values) { return values[count] == 0 && values[d] == v; }),
+          out);
+  }
+  writeHead("bad input", out);
+  for (std::size_t f = 0; f < badInputs().size(); ++f)
+    writeLine(badInputs()[f].name,
+              sumOf(all, [&](const auto& values) { return values[count] == f + 1; }), out);
+  writeHead("what it was", out);
+  for (std::size_t v = 0; v < badValues().size(); ++v)
+    writeLine(
+        badValues()[v].name,
+        sumOf(all, [&](const auto& values) { return values[count] > 0 && values[count + 1] == v; }),
+        out);
+}
+
+}  // namespace hair::extremes

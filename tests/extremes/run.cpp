@@ -1,0 +1,228 @@
+#include "run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <libhair/core/error.h>
+#include <libhair/guides/measure.h>
+
+#include "energy.h"
+#include "scene.h"
+
+namespace hair::extremes {
+
+namespace {
+
+constexpr float kStretchPromised = 1e-3f, kStretchAtExtremes = 1e-2f;
+constexpr double kRecovered = 1e-2;      // of a strand's length
+constexpr double kLongestRecovery = 10;  // seconds that are waited for
+constexpr int kCalmFrames = 30;          // where nothing is waited for
+
+bool finite(glm::vec3 p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// How fast all that disturbs the hair can have made it, by the laws of motion: the speed of a
+/// strand (root mean square over its mass) in the frame of its head. A head that changes its speed
+/// by dv, or its spin by dw, changes that of no strand by more than dv + dw · reach; gravity that
+/// changes by dg lends dg · (strand's length) of energy, and so does what pushes.
+class SpeedBound {
+ public:
+  SpeedBound(const Scene& scene, double restEnergy) : scene_(scene), lent_(restEnergy) {}
+
+  void head(const RigidTransform& before, const RigidTransform& now, double seconds) {
+    const glm::dvec3 v = (glm::dvec3(now.translation) - glm::dvec3(before.translation)) / seconds;
+    const glm::dquat turn(now.rotation * glm::conjugate(before.rotation));
+    const double sine = glm::length(glm::dvec3(turn.x, turn.y, turn.z));
+    const double angle = 2 * std::atan2(sine, std::abs(turn.w));
+    const glm::dvec3 w =
+        sine > 0 ? glm::dvec3(turn.x, turn.y, turn.z) / sine * (angle / seconds) : glm::dvec3(0);
+    given_ += glm::distance(v, v_) + glm::distance(w, w_) * scene_.reach();
+    spin_ = std::max(spin_, glm::length(w) * scene_.reach());
+    v_ = v, w_ = w;
+  }
+  void gravity(glm::vec3 g) {
+    lent_ += 2 * glm::distance(g, g_) * scene_.strandLength();
+    g_ = g;
+  }
+  void push(double acceleration) { lent_ += 2 * acceleration * scene_.strandLength(); }
+  void wind(double speed) { air_ = std::max(air_, 2 * speed); }
+  void body(double speed) { given_ += speed; }
+  double value() const { return given_ + spin_ + air_ + std::sqrt(2 * lent_); }
+
+ private:
+  const Scene& scene_;
+  glm::dvec3 v_{0}, w_{0};
+  glm::vec3 g_{0, -9.81f, 0};
+  double given_ = 0, spin_ = 0, air_ = 0, lent_;
+};
+
+class Run {
+ public:
+  Run(const Setup& setup, Outcome& out) : setup_(setup), scene_(setup), out_(out) {}
+
+  void all() {
+    Inputs start = scene_.at(0);
+    if (setup_.badField) prepareForBad(start);
+    if (setup_.badField && badInput(setup_.badField).atStart) spoil(start);
+    groom_ = start.groom;
+    Hair hair(groom_, start.settings, start.body(), nullptr, start.wisps);
+    disturb(start, hair);
+    recover(hair);
+  }
+
+ private:
+  // Things for all of badInputs() to be of.
+  void prepareForBad(Inputs& in) const {
+    in.settings.lights = {Light{}, Light::point({1, 2, 3})};
+    const glm::vec3 at = in.head.translation + glm::vec3(0, -0.2f, 0);
+    in.capsules = {{at, at + glm::vec3(0.1f, 0, 0), 0.05f}};
+  }
+  void spoil(Inputs& in) const { badInput(setup_.badField).of(in) = setup_.badValue; }
+
+  Inputs inputs(int frame, const Inputs& start) const {
+    Inputs in = scene_.at(frame);
+    if (!setup_.badField) return in;
+    prepareForBad(in);
+    if (badInput(setup_.badField).atStart) {
+      in.settings = start.settings;
+      in.head = start.head;
+    } else if (frame == 5) {
+      spoil(in);
+    }
+    return in;
+  }
+
+  void disturb(const Inputs& start, Hair& hair) {
+    RigidTransform before = start.head;
+    SpeedBound bound(scene_, restEnergy(hair));
+    for (int f = 1; f <= kDisturbed; ++f) {
+      const Inputs in = inputs(f, start);
+      if (in.push != glm::vec3(0) && !hair.repulsion.push.empty())
+        setLane(hair.repulsion.push[2], 0, in.push);
+      try {
+        frame(in.body(), in.settings, in.seconds, hair, profile_);
+      } catch (const Error& e) {
+        // Refused: what was there must still be good for the next frame.
+        if (out_.refused.empty()) out_.refused = e.what();
+        if (!hair.repulsion.push.empty()) setLane(hair.repulsion.push[2], 0, glm::vec3(0));
+        continue;
+      }
+      check(in, hair, f);
+      bound.head(before, in.head, in.seconds);
+      bound.gravity(in.settings.guides.gravity);
+      bound.wind(glm::length(in.settings.wind.velocity));
+      if (in.settings.selfCollision) bound.push(in.settings.repulsion.limit);
+      // Inside a collider hair is put out of it at once; that is not a matter of energy.
+      if (setup_.body == Body::None && !setup_.badField)
+        checkSpeed(hair, before, in, bound.value(), f);
+      before = in.head;
+    }
+  }
+
+  static double restEnergy(const Hair& hair) {
+    return energyOf(hair.guides, hair.worldFromHead, 1, glm::vec3(0)).total;
+  }
+
+  void checkSpeed(const Hair& hair, const RigidTransform& before, const Inputs& in, double bound,
+                  int frame) {
+    const Energy energy = energyOf(hair.guides, before, in.seconds, in.settings.guides.gravity);
+    const double speed = std::sqrt(2 * energy.kinetic);
+    out_.speed = std::max(out_.speed, speed / bound);
+    if (!(speed <= bound))
+      fail("speed ", speed, " m/s in frame ", frame, ", of at most ", bound, " m/s");
+  }
+
+  void check(const Inputs& in, const Hair& hair, int frame) {
+    const GuideStats stats = measureGuides(hair.guides, in.settings.guides, {}, nullptr);
+    if (!std::isfinite(stats.stretchMax) || !std::isfinite(stats.speedMax))
+      fail("guides are not finite in frame ", frame);
+    out_.stretch = std::max(out_.stretch, stats.stretchMax);
+    const float most = setup_.ordinary ? kStretchPromised : kStretchAtExtremes;
+    if (!(stats.stretchMax <= most)) fail("stretch ", stats.stretchMax, " in frame ", frame);
+    for (const glm::vec3& p : hair.wisps.points)
+      if (!finite(p)) return fail("drawn points are not finite in frame ", frame);
+    for (const float t : hair.transmittance)
+      if (!(t >= 0 && t <= 1)) return fail("transmittance ", t, " in frame ", frame);
+  }
+
+  // Away from a twin that was never disturbed.
+  void recover(Hair& hair) {
+    Inputs in = scene_.calm();
+    if (setup_.badField) return settle(in, hair);
+    const double promised = scene_.promisedRecovery();
+    const bool asked = promised > 0 && promised <= kLongestRecovery && out_.refused.empty();
+    const int frames = asked ? static_cast<int>(std::ceil(promised * 60)) : kCalmFrames;
+    Hair twin(groom_, in.settings, in.body());
+    FrameProfile unused{};
+    int last = 0;
+    double away = 0, energy = INFINITY;
+    const double weight = 9.81 * scene_.strandLength();
+    for (int f = 1; f <= frames; ++f) {
+      frame(in.body(), in.settings, in.seconds, hair, profile_);
+      frame(in.body(), in.settings, in.seconds, twin, unused);
+      check(in, hair, kDisturbed + f);
+      away = distance(hair, twin);
+      if (!(away <= kRecovered)) last = f;
+      if (setup_.body == Body::None) {
+        const Energy now = energyOf(hair.guides, in.head, in.seconds, in.settings.guides.gravity);
+        // Of the first frame is what the head's stop has left.
+        if (f > 1 && !(now.total <= energy + 0.01 * (weight + std::abs(energy))))
+          fail("energy grows from ", energy, " to ", now.total, " J/kg in calm frame ", f);
+        energy = std::min(energy, now.total);
+      }
+      if (f - last > 30 && away < 0.25 * kRecovered) break;
+    }
+    if (!asked) return;
+    out_.recovery = last / 60.0;
+    if (away > kRecovered)
+      fail("after ", promised, " s still ", 100 * away, " % of a strand's length away");
+  }
+
+  // After a bad input: two frames with good ones.
+  void settle(Inputs in, Hair& hair) {
+    prepareForBad(in);
+    in.settings.shadow = in.settings.shade = true;
+    in.groom = groom_;
+    for (int f = 1; f <= 2; ++f) {
+      frame(in.body(), in.settings, in.seconds, hair, profile_);
+      check(in, hair, kDisturbed + f);
+    }
+  }
+
+  double distance(const Hair& a, const Hair& b) const {
+    double most = 0;
+    for (std::size_t g = 0; g < a.guides.guideCount(); ++g)
+      for (std::uint32_t i = 0; i < a.guides.pointsPerGuide(); ++i) {
+        const double d =
+            glm::distance(glm::dvec3(a.guides.point(g, i)), glm::dvec3(b.guides.point(g, i)));
+        if (!(d <= most)) most = d;
+      }
+    return most / scene_.strandLength();
+  }
+
+  template <class... Parts>
+  void fail(const Parts&... parts) {
+    if (out_.violations.size() < 3) out_.violations.push_back(text(parts...));
+  }
+
+  const Setup& setup_;
+  Scene scene_;
+  Outcome& out_;
+  Groom groom_;
+  FrameProfile profile_{};
+};
+
+}  // namespace
+
+Outcome run(const Setup& setup) {
+  Outcome out;
+  try {
+    Run(setup, out).all();
+  } catch (const Error& e) {
+    if (out.refused.empty()) out.refused = e.what();
+  }
+  return out;
+}
+
+}  // namespace hair::extremes

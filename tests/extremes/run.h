@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setup.h"
+
+namespace hair::extremes {
+
+/// What became of one combination.
+struct Outcome {
+  std::string refused;                  ///< by what Error; empty: accepted
+  std::vector<std::string> violations;  ///< of what is promised
+  float stretch = 0;                    ///< most, of a link's length
+  double speed = 0;                     ///< root mean square of a strand, most of what is allowed
+  double recovery = -1;                 ///< seconds; < 0: not asked for
+};
+
+Outcome run(const Setup& setup);
+
+}  // namespace hair::extremes
