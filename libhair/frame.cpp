@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/guides/validate.h>
 #include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/occlude.h>
@@ -27,6 +28,7 @@ Hair::Hair(const Groom& groom_, const FrameSettings& settings, const BodyState& 
       wisps(groom_, guides, wispSettings, head_),
       worldFromHead(body.worldFromHead),
       capsules(body.capsules.begin(), body.capsules.end()) {
+  validate(capsules);
   if (settings.selfCollision)
     allowRestDensity(strands(), groom->fibre, guides, settings.repulsion, repulsion);
 }
@@ -120,6 +122,17 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   }
   std::fill(hair.guides.velocity.begin(), hair.guides.velocity.end(), LaneVec3{});
   hair.time = 0;
+}
+
+void moveOrigin(glm::vec3 origin, Hair& hair) {
+  RigidTransform worldFromHead = hair.worldFromHead;
+  worldFromHead.translation -= origin;
+  validate(worldFromHead);
+  hair.worldFromHead = hair.guides.worldFromHead = worldFromHead;
+  const LaneVec3 by{lanes(origin.x), lanes(origin.y), lanes(origin.z)};
+  for (LaneVec3& p : hair.guides.position) p = {p.x - by.x, p.y - by.y, p.z - by.z};
+  for (glm::vec3& p : hair.wisps.points) p -= origin;
+  for (Capsule& c : hair.capsules) c.a -= origin, c.b -= origin;
 }
 
 }  // namespace hair

@@ -93,7 +93,8 @@ HWY_INLINE void solveBending(const BendingGroup& group, const RootFrame& root,
     now.over((Floats(1.0f) / max(length(d), Floats(1e-12f))) * d);
     then.over((Floats(1.0f) / max(length(dThen), Floats(1e-12f))) * dThen);
   }
-  for (std::uint32_t i = links - 1; i <= links; ++i) {
+  // The last two points, but never the root.
+  for (std::uint32_t i = links > 1 ? links - 1 : 1; i <= links; ++i) {
     const Vec3 swept =
         force[i] - Floats(group.below1[i]) * last - Floats(group.below2[i]) * beforeLast;
     force[i] = swept;

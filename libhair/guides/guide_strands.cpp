@@ -4,6 +4,7 @@
 #include <array>
 
 #include <libhair/core/error.h>
+#include <libhair/guides/validate.h>
 #include <libhair/model/mesh_sdf.h>
 
 namespace hair {
@@ -18,8 +19,8 @@ void validate(const GuideSettings& s) {
   };
   field(s.linearDensity > 0 && s.linearDensity < 1, "linearDensity", s.linearDensity,
         "(0, 1) kg/m");
-  field(s.bendingStiffness > 0 && s.bendingStiffness < 1, "bendingStiffness", s.bendingStiffness,
-        "(0, 1) N m^2");
+  field(s.bendingStiffness >= 0 && s.bendingStiffness < 1, "bendingStiffness", s.bendingStiffness,
+        "[0, 1) N m^2");
   field(s.tipStiffness > 0 && s.tipStiffness <= 1, "tipStiffness", s.tipStiffness, "(0, 1]");
   field(s.bendDamping >= 0 && s.bendDamping < 1, "bendDamping", s.bendDamping, "[0, 1) s");
   field(s.airDrag >= 0 && s.airDrag < 1e4f, "airDrag", s.airDrag, "[0, 1e4) 1/s");
@@ -36,8 +37,9 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
     : guideCount_(groom.guideCount()), points_(groom.pointsPerGuide) {
   validate(settings);
   require(guideCount_ > 0, "groom: no guides");
-  require(points_ >= 3 && points_ <= kMaxGuidePoints, "groom: ", points_,
-          " points a guide is not in 3 to ", kMaxGuidePoints);
+  require(points_ >= 2 && points_ <= kMaxGuidePoints, "groom: ", points_,
+          " points a guide is not in 2 to ", kMaxGuidePoints,
+          "; sample guides at fewer points (BindSettings::pointsPerGuide)");
   const std::size_t groups = groupCount(), n = points_, links = n - 1;
   position.resize(groups * n);
   velocity.resize(groups * n);
@@ -69,18 +71,24 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
       pointMass[group * n + i][l] = rest.mass[i];
       inverseMass[group * n + i][l] = i > 0 ? 1.0f / rest.mass[i] : 0.0f;
     }
+    float length = 0;
     for (std::size_t i = 0; i < links; ++i) {
+      length += rest.linkLength[i];
+      shortestLink_ = std::min(shortestLink_, rest.linkLength[i]);
       linkLength[group * links + i][l] = rest.linkLength[i];
       inverseLength[group * links + i][l] = 1.0f / rest.linkLength[i];
       restTension[group * links + i][l] = rest.tension[i];
       setLane(curvature[group * links + i], l, rest.curvature[i]);
       jointStiffness[group * links + i][l] = rest.stiffness[i];
     }
+    reach_ = std::max(reach_, glm::length(points[0]) + length);
   }
   reset(worldFromHead_);
 }
 
 void GuideStrands::reset(const RigidTransform& to) {
+  validate(to);
+  requirePrecision(*this, to);
   worldFromHead = to;
   for (std::size_t k = 0; k < position.size(); ++k) {
     for (std::size_t l = 0; l < kLanes; ++l)

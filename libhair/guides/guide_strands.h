@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -39,7 +40,8 @@ class GuideStrands {
  public:
   /// At rest in the groom, on a head at `worldFromHead`. `head` (may be null) is the collider of
   /// the head in head space: points groomed closer to it than the skin may stay as close.
-  /// Throws Error: fewer than 3 or more than kMaxGuidePoints points, a link without length.
+  /// Throws Error: fewer than 2 or more than kMaxGuidePoints points, one that is not finite, a link
+  /// without length, and as validate(RigidTransform) and requirePrecision do (validate.h).
   GuideStrands(const Groom& groom, const GuideSettings& settings,
                const RigidTransform& worldFromHead = {}, const MeshSdf* head = nullptr);
 
@@ -48,7 +50,12 @@ class GuideStrands {
   std::uint32_t pointsPerGuide() const { return points_; }
   std::uint32_t linksPerGuide() const { return points_ - 1; }
 
-  /// Back to the groom at rest on a head at `worldFromHead`, without speed.
+  float shortestLink() const { return shortestLink_; }  ///< metres
+  /// How far from the head's joint a point can be, as no link stretches, metres.
+  float reach() const { return reach_; }
+
+  /// Back to the groom at rest on a head at `worldFromHead`, without speed. Throws Error for one
+  /// that is not finite or too far from the origin (validate.h).
   void reset(const RigidTransform& worldFromHead);
   /// World position of one point.
   glm::vec3 point(std::size_t guide, std::uint32_t i) const;
@@ -80,6 +87,7 @@ class GuideStrands {
  private:
   std::size_t guideCount_;
   std::uint32_t points_;
+  float shortestLink_ = INFINITY, reach_ = 0;
 };
 
 /// Normal of the frame at a strand's root: any, but a fixed function of the root direction.

@@ -68,7 +68,9 @@ void holdAgainstGravity(std::span<const glm::vec3> points, glm::vec3 rootNormal,
   glm::vec3 tangent = d[0], normal = rootNormal;
   for (std::size_t i = 0; i < links; ++i) {
     rest.stiffness[i] *= factor;
-    const glm::vec3 c = d[i] - tangent - g[i] / rest.stiffness[i];
+    // Without stiffness no curvature holds anything up.
+    const glm::vec3 held = rest.stiffness[i] > 0 ? g[i] / rest.stiffness[i] : glm::vec3(0);
+    const glm::vec3 c = d[i] - tangent - held;
     rest.curvature[i] = {glm::dot(c, normal), glm::dot(c, glm::cross(tangent, normal)),
                          glm::dot(c, tangent)};
     normal = transport(normal, tangent, d[i]);
@@ -84,8 +86,9 @@ RestShape makeRestShape(std::span<const glm::vec3> points, glm::vec3 rootNormal,
   const std::size_t links = points.size() - 1;
   for (std::size_t i = 0; i < links; ++i) {
     rest.linkLength[i] = glm::distance(points[i], points[i + 1]);
-    require(rest.linkLength[i] > 1e-6f, "groom: guide ", guide, " link ", i, " has length ",
-            rest.linkLength[i], " m; drop degenerate strands or check the scale");
+    require(rest.linkLength[i] > 1e-6f && rest.linkLength[i] < 1e5f, "groom: guide ", guide,
+            " link ", i, " has length ", rest.linkLength[i],
+            " m, not in 1e-6 to 1e5; drop degenerate strands or check the scale");
   }
   for (std::size_t i = 0; i < links; ++i) {
     const float s = static_cast<float>(i) / static_cast<float>(links);

@@ -14,7 +14,8 @@ enum class LinkSolver {
 /// wisp is; `{}` gives the paper's hairstyle at interactive rate.
 struct GuideSettings {
   float linearDensity = 6.5e-6f;   ///< kg/m; of one hair, 80 µm thick
-  float bendingStiffness = 8e-8f;  ///< N·m² (E·I) at the root; one bare hair: about 1e-8
+  /// N·m² (E·I) at the root; one bare hair: about 1e-8. 0: a string, which only hangs.
+  float bendingStiffness = 8e-8f;
   float tipStiffness = 0.35f;      ///< fraction of it left at the tip, (0, 1]; linear between
   float bendDamping = 4e-3f;       ///< seconds; bending resists its own speed this long, >= 0
   float airDrag = 8.0f;            ///< 1/s; speed relative to the air decays at this rate

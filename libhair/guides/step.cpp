@@ -273,6 +273,7 @@ HWY_AFTER_NAMESPACE();
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/guides/validate.h>
 
 namespace hair {
 
@@ -317,11 +318,16 @@ void cutFrame(const GuideMotion& motion, const RigidTransform& from, float skin,
 
 void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,
                 GuideWorkspace& workspace, GuideStrands& guides) {
-  require(seconds > 0 && seconds <= 1, "stepGuides: a frame of ", seconds,
-          " s is not in (0, 1]; cut longer times into frames");
+  require(seconds >= 1e-6f && seconds <= 1, "stepGuides: a frame of ", seconds,
+          " s is not in [1e-6, 1]; cut longer times into frames");
   validate(settings);
+  validate(motion.worldFromHead);
+  requirePrecision(guides, motion.worldFromHead);
+  validate(motion.capsulesBefore);
+  validate(motion.capsules);
+  validatePush(motion.push);
   require(motion.wind.valid(),
-          "wind: velocity must be below 200 m/s, gust in [0, 1], gustLength > 0");
+          "wind: velocity must be below 200 m/s, gust in [0, 1], gustLength in [1e-3, 1e6) m");
   require(motion.push.empty() || motion.push.size() == guides.position.size(),
           "stepGuides: ", motion.push.size(), " pushes for ", guides.position.size(),
           " groups of points");

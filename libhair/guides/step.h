@@ -44,8 +44,9 @@ struct GuideWorkspace {
 ///   5. velocity = movement / h.
 /// Predicting with the last tension makes a groom at rest a fixed point of every substep, and is a
 /// good start for Newton otherwise. (Relaxation leaves tension as it is.)
-/// Throws Error: seconds not in (0, 1], settings out of range, counts that differ, wind that is not
-/// finite. One workspace goes with one GuideStrands.
+/// Throws Error: seconds not in [1e-6, 1], settings out of range, counts that differ, wind, head,
+/// capsules or pushes that are not finite, a head too far from the origin (validate.h). One
+/// workspace goes with one GuideStrands.
 void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,
                 GuideWorkspace& workspace, GuideStrands& guides);
 

@@ -32,7 +32,7 @@ struct Fibre {
 /// its parameter from root (k = 0) to tip (k = n - 1), and F(k) = (normal, binormal, tangent) is
 /// the frame carried by parallel transport along the first of the three, the *main* guide.
 struct Groom {
-  std::uint32_t pointsPerGuide = 16;   ///< root and tip included, >= 3
+  std::uint32_t pointsPerGuide = 16;   ///< root and tip included, >= 2
   std::vector<glm::vec3> guidePoints;  ///< [guideCount · pointsPerGuide], root first
 
   std::vector<std::uint32_t> first = {0};  ///< [strandCount + 1], as in StrandView
@@ -43,7 +43,9 @@ struct Groom {
 
   Fibre fibre;
 
-  std::size_t guideCount() const { return guidePoints.size() / pointsPerGuide; }
+  std::size_t guideCount() const {
+    return pointsPerGuide > 0 ? guidePoints.size() / pointsPerGuide : 0;
+  }
   std::size_t strandCount() const { return parents.size(); }
   std::size_t pointCount() const { return first.back(); }
   std::span<const glm::vec3> guide(std::size_t g) const {

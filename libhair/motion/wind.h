@@ -12,9 +12,10 @@ struct Wind {
   float gust = 0.5f;        ///< swing of the speed, as a fraction of it, [0, 1]
   float gustLength = 0.5f;  ///< metres from gust to gust
 
-  /// Speed below 200 m/s, gust in [0, 1], gustLength > 0; false for anything that is not finite.
+  /// Speed below 200 m/s, gust in [0, 1], gustLength in [1e-3, 1e6); false for anything that is not
+  /// finite.
   bool valid() const {
-    return glm::dot(velocity, velocity) < 4e4f && gust >= 0 && gust <= 1 && gustLength > 0 &&
+    return glm::dot(velocity, velocity) < 4e4f && gust >= 0 && gust <= 1 && gustLength >= 1e-3f &&
            gustLength < 1e6f;
   }
   bool still() const { return velocity == glm::vec3(0); }

@@ -180,10 +180,10 @@ void check(const RepulsionSettings& s) {
     require(good, "repulsion settings: ", name, " = ", value, " is not in ", range);
   };
   field(s.strandStride >= 1, "strandStride", s.strandStride, "[1, ...)");
-  field(s.threshold >= 0, "threshold", s.threshold, "[0, ...) m/m^3");
-  field(s.tolerance >= 1, "tolerance", s.tolerance, "[1, ...)");
-  field(s.strength >= 0, "strength", s.strength, "[0, ...) m/s^2");
-  field(s.limit >= 0, "limit", s.limit, "[0, ...) m/s^2");
+  field(s.threshold >= 0 && s.threshold < 1e30f, "threshold", s.threshold, "[0, 1e30) m/m^3");
+  field(s.tolerance >= 1 && s.tolerance < 1e6f, "tolerance", s.tolerance, "[1, 1e6)");
+  field(s.strength >= 0 && s.strength < 1e6f, "strength", s.strength, "[0, 1e6) m/s^2");
+  field(s.limit >= 0 && s.limit < 1e6f, "limit", s.limit, "[0, 1e6) m/s^2");
 }
 
 }  // namespace

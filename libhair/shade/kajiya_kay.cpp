@@ -236,7 +236,32 @@ namespace {
 
 HWY_EXPORT(shadeStrands);
 
-void check(StrandView strands, const Illumination& illumination, std::size_t room) {
+void check(const KajiyaKaySettings& s) {
+  const auto field = [](const char* name, float value, float least, float most) {
+    require(value >= least && value <= most, "look: ", name, " = ", value, " is not in ", least,
+            " to ", most);
+  };
+  for (int c = 0; c < 3; ++c) {
+    field("rootColour", s.rootColour[c], 0, 1e6f);
+    field("tipColour", s.tipColour[c], 0, 1e6f);
+  }
+  field("variation", s.variation, 0, 1);
+  field("ambient", s.ambient, 0, 1e6f);
+  field("diffuse", s.diffuse, 0, 1e6f);
+  field("specular", s.specular, 0, 1e6f);
+  field("secondSpecular", s.secondSpecular, 0, 1e6f);
+  field("exponent", s.exponent, 0, 1e6f);
+  field("secondExponent", s.secondExponent, 0, 1e6f);
+  field("firstShift", s.firstShift, -10, 10);
+  field("secondShift", s.secondShift, -10, 10);
+}
+
+void check(StrandView strands, const Illumination& illumination, const KajiyaKaySettings& settings,
+           std::size_t room) {
+  check(settings);
+  const glm::vec3 eye = illumination.eye;
+  require(glm::dot(eye, eye) < 1e30f, "eye: (", eye.x, ", ", eye.y, ", ", eye.z,
+          ") is not finite, or beyond 1e15 m");
   const std::size_t points = strands.pointCount(), lights = illumination.lights.size();
   const auto fits = [&](std::span<const float> values, const char* what) {
     require(values.empty() || values.size() == lights * points, "shadeKajiyaKay: ", points,
@@ -261,14 +286,14 @@ KajiyaKaySettings KajiyaKaySettings::plain() {
 void shadeKajiyaKay(StrandView strands, std::size_t begin, std::size_t end,
                     const Illumination& illumination, const KajiyaKaySettings& settings,
                     std::span<std::uint32_t> out) {
-  check(strands, illumination, out.size());
+  check(strands, illumination, settings, out.size());
   if (begin < end)
     HWY_DYNAMIC_DISPATCH(shadeStrands)(strands, illumination, settings, out, begin, end);
 }
 
 void shadeKajiyaKay(StrandView strands, const Illumination& illumination,
                     const KajiyaKaySettings& settings, std::span<std::uint32_t> out) {
-  check(strands, illumination, out.size());
+  check(strands, illumination, settings, out.size());
   const auto shade = HWY_DYNAMIC_DISPATCH(shadeStrands);
   parallelFor(strands.strandCount(), 64, [&](std::size_t begin, std::size_t end) {
     shade(strands, illumination, settings, out, begin, end);

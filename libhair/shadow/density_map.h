@@ -41,8 +41,9 @@ enum class Quantity {
 };
 
 struct DensityMapSettings {
-  int cells = 128;           ///< along each axis (the paper's NCELLS), 2 to 1024
-  float cellSize = 7.5e-3f;  ///< metres (the paper's ds), > 0; as large as the shadow's footprint
+  int cells = 128;  ///< along each axis (the paper's NCELLS), 2 to 1024
+  /// Metres (the paper's ds), 1e-6 to 1e6; as large as the shadow's footprint.
+  float cellSize = 7.5e-3f;
   Deposit deposit = Deposit::Columns;
   Filter filter = Filter::Centred;
   /// Metres, Filter::Footprint only: 0 to 10 cells; below one cell it is as Centred.

@@ -61,8 +61,8 @@ Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
   validate(strands, "bindGroom", 2);
   require(strands.strandCount() > 0, "bindGroom: no strands");
   require(settings.guides >= 1, "bindGroom: guides = 0; take at least 1");
-  require(settings.pointsPerGuide >= 3 && settings.pointsPerGuide <= kMaxGuidePoints,
-          "bindGroom: pointsPerGuide = ", settings.pointsPerGuide, " is not in 3 to ",
+  require(settings.pointsPerGuide >= 2 && settings.pointsPerGuide <= kMaxGuidePoints,
+          "bindGroom: pointsPerGuide = ", settings.pointsPerGuide, " is not in 2 to ",
           kMaxGuidePoints);
   const auto features = featuresOf(strands, settings.shapeWeight);
   const auto guides = chooseGuides(features, settings.guides);

@@ -7,7 +7,7 @@ namespace hair {
 
 struct BindSettings {
   std::uint32_t guides = 402;         ///< chosen among the strands, at most as many as there are
-  std::uint32_t pointsPerGuide = 16;  ///< 3 to kMaxGuidePoints
+  std::uint32_t pointsPerGuide = 16;  ///< 2 to kMaxGuidePoints
   float shapeWeight = 0.5f;  ///< how much a difference of tips counts beside one of roots, >= 0
 };
 

@@ -15,7 +15,7 @@ namespace hair {
 /// collisions").
 struct WispSettings {
   bool avoidColliders = true;
-  float clearance = 1e-3f;        ///< metres that drawn points keep from colliders
+  float clearance = 1e-3f;        ///< metres that drawn points keep from colliders, [0, 0.1)
   std::uint32_t blendPoints = 4;  ///< points above the first hit over which a strand changes over
 };
 
@@ -24,7 +24,8 @@ struct Wisps {
   /// Guides at rest and the head's collider (may be null): a strand groomed closer to the head
   /// than the clearance may stay as close.
   /// Throws Error: a groom whose arrays disagree (counts, guide indices, weights that do not sum
-  /// to 1, strands of fewer than 2 points). Keeps a reference to the groom.
+  /// to 1, strands of fewer than 2 points), offsets or settings that are out of range. Keeps a
+  /// reference to the groom.
   Wisps(const Groom& groom, const GuideStrands& guidesAtRest, const WispSettings& settings = {},
         const MeshSdf* head = nullptr);
 

@@ -1,6 +1,6 @@
 #include "energy.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace hair::extremes {
 
@@ -30,7 +30,7 @@ double bendingOf(const GuideStrands& guides, std::size_t guide) {
 
 }  // namespace
 
-Energy energyOf(const GuideStrands& guides, const RigidTransform& before, double seconds,
+double energyOf(const GuideStrands& guides, const RigidTransform& before, double seconds,
                 glm::vec3 gravity) {
   const std::uint32_t n = guides.pointsPerGuide();
   const RigidTransform back = before * inverse(guides.worldFromHead);
@@ -39,26 +39,23 @@ Energy energyOf(const GuideStrands& guides, const RigidTransform& before, double
   const glm::dquat turn(glm::conjugate(back.rotation));
   const glm::dvec3 spin =
       glm::angle(turn) > 1e-6 ? glm::axis(turn) * (glm::angle(turn) / seconds) : glm::dvec3(0);
-  Energy worst;
+  double most = -INFINITY;
   for (std::size_t g = 0; g < guides.guideCount(); ++g) {
     const std::size_t group = g / kLanes, l = g % kLanes;
     const glm::dvec3 root(guides.point(g, 0));
-    double mass = 0, kinetic = 0, potential = 0;
-    for (std::uint32_t i = 0; i < n; ++i) {
+    double mass = guides.pointMass[group * n][l], energy = bendingOf(guides, g);
+    for (std::uint32_t i = 1; i < n; ++i) {
       const std::size_t k = group * n + i;
       const glm::dvec3 p(guides.point(g, i)), v(lane(guides.velocity[k], l));
-      const glm::dvec3 u = i == 0 ? glm::dvec3(0) : v - drift - glm::cross(spin, p - at);
+      const glm::dvec3 u = v - drift - glm::cross(spin, p - at);
       const double m = guides.pointMass[k][l];
       mass += m;
-      kinetic += 0.5 * m * glm::dot(u, u);
-      potential -= m * glm::dot(glm::dvec3(gravity), p - root);
-      if (!(glm::length(u) <= worst.speed)) worst.speed = glm::length(u);
+      energy += m * (0.5 * glm::dot(u, u) - glm::dot(glm::dvec3(gravity), p - root));
     }
-    const double total = (kinetic + potential + bendingOf(guides, g)) / mass;
-    if (!(kinetic / mass <= worst.kinetic)) worst.kinetic = kinetic / mass;
-    if (g == 0 || !(total <= worst.total)) worst.total = total;
+    // Once there is no number, it stays.
+    if (!(energy / mass <= most)) most = energy / mass;
   }
-  return worst;
+  return most;
 }
 
 }  // namespace hair::extremes

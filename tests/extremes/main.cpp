@@ -59,11 +59,11 @@ Options parse(int argc, char** argv) {
 void tell(const Done& done, bool everything) {
   const Outcome& o = done.outcome;
   if (!everything && o.violations.empty()) return;
-  std::cout << done.number << ": " << nameOf(done.values) << '\n';
+  if (!everything) std::cout << done.number << ": " << nameOf(done.values) << '\n';
   for (const std::string& v : o.violations) std::cout << "  violation: " << v << '\n';
   if (!o.refused.empty()) std::cout << "  refused: " << o.refused << '\n';
   if (everything)
-    std::cout << "  stretch " << o.stretch << ", speed of what is allowed " << o.speed
+    std::cout << "  stretch " << o.stretch << ", energy of what is allowed " << o.energy
               << ", recovery " << o.recovery << " s\n";
 }
 
@@ -73,6 +73,7 @@ int main(const Options& options) {
   for (std::uint32_t i = 0; i < options.count; ++i) {
     const std::uint32_t number = options.first + i;
     Done done{number, draw(number, options.seed), {}};
+    if (options.count == 1) std::cout << number << ": " << nameOf(done.values) << std::endl;
     done.outcome = run(setupOf(done.values));
     violations += done.outcome.violations.empty() ? 0 : 1;
     refused += done.outcome.refused.empty() ? 0 : 1;

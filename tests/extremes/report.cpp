@@ -69,12 +69,12 @@ std::string nameOf(const std::vector<std::size_t>& values) {
 }
 
 void writeCsv(const std::vector<Done>& all, std::ostream& out) {
-  out << "number,combination,refused,violations,stretch,speed of allowed,recovery s\n";
+  out << "number,combination,refused,violations,stretch,energy of allowed,recovery s\n";
   for (const Done& d : all) {
     std::string violations;
     for (const std::string& v : d.outcome.violations) violations += v + ". ";
     out << d.number << ',' << quoted(nameOf(d.values)) << ',' << quoted(d.outcome.refused) << ','
-        << quoted(violations) << ',' << d.outcome.stretch << ',' << d.outcome.speed << ','
+        << quoted(violations) << ',' << d.outcome.stretch << ',' << d.outcome.energy << ','
         << d.outcome.recovery << '\n';
   }
 }

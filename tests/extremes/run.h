@@ -12,7 +12,7 @@ struct Outcome {
   std::string refused;                  ///< by what Error; empty: accepted
   std::vector<std::string> violations;  ///< of what is promised
   float stretch = 0;                    ///< most, of a link's length
-  double speed = 0;                     ///< root mean square of a strand, most of what is allowed
+  double energy = 0;                    ///< most of what work can have made, as a ratio of speeds
   double recovery = -1;                 ///< seconds; < 0: not asked for
 };
 
