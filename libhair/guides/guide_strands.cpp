@@ -17,8 +17,8 @@ void validate(const GuideSettings& s) {
   const auto field = [](bool good, const char* name, auto value, const char* range) {
     require(good, "guide settings: ", name, " = ", value, " is not in ", range);
   };
-  field(s.linearDensity > 0 && s.linearDensity < 1, "linearDensity", s.linearDensity,
-        "(0, 1) kg/m");
+  field(s.linearDensity >= 1e-12f && s.linearDensity < 1, "linearDensity", s.linearDensity,
+        "[1e-12, 1) kg/m");
   field(s.bendingStiffness >= 0 && s.bendingStiffness < 1, "bendingStiffness", s.bendingStiffness,
         "[0, 1) N m^2");
   field(s.tipStiffness > 0 && s.tipStiffness <= 1, "tipStiffness", s.tipStiffness, "(0, 1]");

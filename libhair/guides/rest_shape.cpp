@@ -1,5 +1,7 @@
 #include <libhair/guides/rest_shape.h>
 
+#include <algorithm>
+
 #include <libhair/core/error.h>
 #include <libhair/core/transform.h>
 
@@ -96,7 +98,12 @@ RestShape makeRestShape(std::span<const glm::vec3> points, glm::vec3 rootNormal,
     // The length that bends at the joint: half a link at the clamped root.
     const float joint =
         i == 0 ? 0.5f * rest.linkLength[0] : 0.5f * (rest.linkLength[i - 1] + rest.linkLength[i]);
-    rest.stiffness[i] = stiffness / settings.linearDensity / joint;
+    // Beyond this a substep cannot tell it from rigid, and single precision loses the bending in
+    // the stiffness: joint · l² / h² is what the masses that it turns resist it with.
+    const float arm =
+        i == 0 ? rest.linkLength[0] : std::min(rest.linkLength[i - 1], rest.linkLength[i]);
+    const float rigid = 1e4f * joint * (arm / settings.substep) * (arm / settings.substep);
+    rest.stiffness[i] = std::min(stiffness / settings.linearDensity / joint, rigid);
     rest.mass[i] += 0.5f * rest.linkLength[i];
     rest.mass[i + 1] += 0.5f * rest.linkLength[i];
   }

@@ -24,7 +24,29 @@ struct Group {
   const Lanes *mass, *inverseMass, *linkLength, *clearance;
   RootFrame rest;
   BendingGroup bending;
+  bool uneven;  ///< links of very different lengths in a strand
 };
+
+// Then what one link may pull is no measure of what the next one may.
+HWY_INLINE bool unevenLinks(const Lanes* linkLength, std::uint32_t links) {
+  Floats least = linkLength[0], most = least;
+  for (std::uint32_t i = 1; i < links; ++i)
+    least = min(least, linkLength[i]), most = max(most, linkLength[i]);
+  return any(most > Floats(4.0f) * least);
+}
+
+// Scales the tensions of a strand down until none is beyond what predict may apply (`quarter`): cut
+// one by one they would no longer balance, and throw light points between a short link and a long
+// one.
+HWY_NOINLINE void scaleTensions(const Group& g, const Floats& quarter) {
+  Floats share = 1.0f;
+  for (std::uint32_t i = 0; i + 1 < g.points; ++i) {
+    const Floats most = quarter * Floats(g.mass[i + 1]) * Floats(g.linkLength[i]);
+    share = min(share, most / max(abs(Floats(g.tension[i])), Floats(1e-20f)));
+  }
+  for (std::uint32_t i = 0; i + 1 < g.points; ++i)
+    store(share * Floats(g.tension[i]), g.tension[i]);
+}
 
 // What a substep of a group works on. Not set before it is written: there is room for the longest
 // strands, and most are shorter.
@@ -73,6 +95,7 @@ HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Win
   // Tension acts along the links as they were; beyond m l / (4 h²) it could no longer be stepped
   // explicitly, and Newton does the rest.
   const Floats quarter = 0.25f / (h * h);
+  if (g.uneven) scaleTensions(g, quarter);
   const auto pullOf = [&](std::uint32_t i) HWY_ATTR {
     const Floats most = quarter * Floats(g.mass[i + 1]) * Floats(g.linkLength[i]);
     const Floats tension = max(min(Floats(g.tension[i]), most), -most);
@@ -250,7 +273,8 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
         &guides.clearance[p],
         {guides.rootTangent[k], guides.rootNormal[k]},
         {n, &guides.curvature[l], &guides.jointStiffness[l], &guides.inverseLength[l],
-         &factors.inverseD[p], &factors.below1[p], &factors.below2[p], factors.damping}};
+         &factors.inverseD[p], &factors.below1[p], &factors.below2[p], factors.damping},
+        unevenLinks(&guides.linkLength[l], links)};
     findDirections(n, group.position, s.directions);
     for (std::uint32_t i = 0; i < n; ++i)
       s.seenAt[i] = group.position[i], s.clear[i] = Clearance(0);
@@ -281,9 +305,22 @@ namespace {
 
 HWY_EXPORT(stepGroups);
 
-// Where roots and colliders are in each of the substeps.
-void cutFrame(const GuideMotion& motion, const RigidTransform& from, float skin,
+// Far from the origin the floats of a substep would swallow small movements, and hair would stick
+// where it is: positions count from a place near the head then, a multiple of 64 m.
+glm::vec3 originFor(const RigidTransform& worldFromHead) {
+  return 64.0f * glm::round(worldFromHead.translation / 64.0f);
+}
+
+void shift(GuideStrands& guides, glm::vec3 by) {
+  if (by == glm::vec3(0)) return;
+  for (LaneVec3& p : guides.position) p = {p.x + by.x, p.y + by.y, p.z + by.z};
+}
+
+// Where roots and colliders are in each of the substeps, from `origin` on.
+void cutFrame(const GuideMotion& motion, glm::vec3 origin, RigidTransform from, float skin,
               std::size_t substeps, GuideWorkspace& workspace) {
+  RigidTransform to = motion.worldFromHead;
+  from.translation -= origin, to.translation -= origin;
   const std::size_t capsules = motion.capsules.size();
   const std::size_t boxes = (capsules + kLanes - 1) / kLanes;
   workspace.heads.resize(substeps + 1);
@@ -291,11 +328,11 @@ void cutFrame(const GuideMotion& motion, const RigidTransform& from, float skin,
   workspace.boxes.clear();
   for (std::size_t s = 0; s <= substeps; ++s) {
     const float t = static_cast<float>(s) / static_cast<float>(substeps);
-    workspace.heads[s] = blend(from, motion.worldFromHead, t);
+    workspace.heads[s] = blend(from, to, t);
     for (std::size_t c = 0; c < capsules; ++c) {
       const Capsule &before = motion.capsulesBefore[c], &after = motion.capsules[c];
-      workspace.capsules[s * capsules + c] = {glm::mix(before.a, after.a, t),
-                                              glm::mix(before.b, after.b, t),
+      workspace.capsules[s * capsules + c] = {glm::mix(before.a - origin, after.a - origin, t),
+                                              glm::mix(before.b - origin, after.b - origin, t),
                                               glm::mix(before.radius, after.radius, t)};
     }
     const std::span all(workspace.capsules);
@@ -339,10 +376,13 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
       1, static_cast<std::size_t>(std::ceil(seconds / settings.substep - 1e-3f)));
   const float h = seconds / static_cast<float>(substeps);
   factorBending(guides, h, settings.bendDamping, workspace.bending);
-  cutFrame(motion, guides.worldFromHead, settings.skin, substeps, workspace);
+  const glm::vec3 origin = originFor(motion.worldFromHead);
+  cutFrame(motion, origin, guides.worldFromHead, settings.skin, substeps, workspace);
+  shift(guides, -origin);
   parallelFor(guides.groupCount(), 1, [&](std::size_t begin, std::size_t end) {
     HWY_DYNAMIC_DISPATCH(stepGroups)(motion, settings, h, workspace, begin, end, guides);
   });
+  shift(guides, origin);
   guides.worldFromHead = motion.worldFromHead;
 }
 

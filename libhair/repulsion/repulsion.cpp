@@ -196,7 +196,11 @@ void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSetting
   map.deposit = Deposit::Points;
   map.quantity = Quantity::Length;
   clear(density, map, {});
-  deposit(drawn, fibre, density, settings.strandStride);
+  // Of few strands more are counted: a lone one that stood for many would push itself away.
+  constexpr std::size_t kFewest = 64;
+  const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(
+      std::max<std::size_t>(drawn.strandCount() / kFewest, 1), settings.strandStride));
+  deposit(drawn, fibre, density, most);
 }
 
 void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& guides,

@@ -65,6 +65,7 @@ void tell(const Done& done, bool everything) {
   if (everything)
     std::cout << "  stretch " << o.stretch << ", energy of what is allowed " << o.energy
               << ", recovery " << o.recovery << " s\n";
+  std::cout.flush();
 }
 
 int main(const Options& options) {

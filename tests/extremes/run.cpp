@@ -49,7 +49,22 @@ class SpeedBound {
   }
   void push(double acceleration) { lent_ += 2 * acceleration * scene_.strandLength(); }
   void wind(double speed) { air_ = std::max(air_, 2 * speed); }
-  double value() const { return given_ + spin_ + air_ + std::sqrt(2 * lent_); }
+  /// Each point is somewhere within the spacing of floats, and bent as if it had been put there.
+  void rounding(const GuideStrands& guides) {
+    const glm::vec3 at = glm::abs(guides.worldFromHead.translation);
+    const float far = std::max({at.x, at.y, at.z}) + guides.reach();
+    const double spacing = std::nextafter(far, INFINITY) - far;
+    double stiffest = 0;
+    for (const Lanes& kappa : guides.jointStiffness)
+      stiffest = std::max(stiffest, static_cast<double>(kappa[0]));
+    const double bend = 2 * spacing / guides.shortestLink();
+    lent_ += guides.linksPerGuide() * stiffest * bend * bend / scene_.strandLength();
+  }
+  double value() const {
+    // A thousandth of a fall's speed is no matter of work.
+    return given_ + spin_ + air_ + std::sqrt(2 * lent_) +
+           1e-3 * std::sqrt(9.81 * scene_.strandLength());
+  }
 
  private:
   const Scene& scene_;
@@ -97,6 +112,7 @@ class Run {
   void disturb(const Inputs& start, Hair& hair) {
     RigidTransform before = start.head;
     restEnergy_ = energyOf(hair.guides, start.head, 1, kGravity);
+    bound_.rounding(hair.guides);
     for (int f = 1; f <= kDisturbed; ++f) {
       const Inputs in = inputs(f, start);
       if (in.push != glm::vec3(0) && !hair.repulsion.push.empty())

@@ -30,6 +30,8 @@ struct Frame {
   FrameSettings settings;
   WispSettings wisps;
 
+  [[gnu::noinline]] Frame() {}
+
   /// What is said of it, in the first frame at the latest.
   std::string refusal() {
     try {
