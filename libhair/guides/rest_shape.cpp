@@ -98,12 +98,15 @@ RestShape makeRestShape(std::span<const glm::vec3> points, glm::vec3 rootNormal,
     // The length that bends at the joint: half a link at the clamped root.
     const float joint =
         i == 0 ? 0.5f * rest.linkLength[0] : 0.5f * (rest.linkLength[i - 1] + rest.linkLength[i]);
-    // Beyond this a substep cannot tell it from rigid, and single precision loses the bending in
-    // the stiffness: joint · l² / h² is what the masses that it turns resist it with.
+    rest.stiffness[i] = stiffness / settings.linearDensity / joint;
+    // How much stiffer the joint is than the masses that it turns are heavy, within a substep: the
+    // bending system loses as many digits.
     const float arm =
-        i == 0 ? rest.linkLength[0] : std::min(rest.linkLength[i - 1], rest.linkLength[i]);
-    const float rigid = 1e4f * joint * (arm / settings.substep) * (arm / settings.substep);
-    rest.stiffness[i] = std::min(stiffness / settings.linearDensity / joint, rigid);
+        (i == 0 ? rest.linkLength[0] : std::min(rest.linkLength[i - 1], rest.linkLength[i])) /
+        settings.substep;
+    require(rest.stiffness[i] <= 1e9f * joint * arm * arm, "groom: guide ", guide, " link ", i,
+            " of ", rest.linkLength[i], " m is too short for its stiffness of ", stiffness,
+            " N m^2; take longer links, more even ones, less bendingStiffness or shorter substeps");
     rest.mass[i] += 0.5f * rest.linkLength[i];
     rest.mass[i + 1] += 0.5f * rest.linkLength[i];
   }

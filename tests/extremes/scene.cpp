@@ -28,9 +28,10 @@ void addGuide(const Setup& setup, std::uint32_t s, Groom& groom) {
   for (std::uint32_t i = 0;; ++i) {
     groom.guidePoints.push_back(p);
     if (i == setup.links) break;
-    // Leaves the ball slantwise, and turns down.
+    // Leaves the ball slantwise, and turns down; a string cannot, and hangs.
     const float way = static_cast<float>(i) / static_cast<float>(setup.links);
-    p += linkLength(setup, i) * glm::normalize(glm::vec3(0, -1, 0) + 0.4f * (1 - way) * out);
+    const float slant = setup.settings.guides.bendingStiffness > 1e-12f ? 0.4f * (1 - way) : 0.0f;
+    p += linkLength(setup, i) * glm::normalize(glm::vec3(0, -1, 0) + slant * out);
   }
 }
 
@@ -52,7 +53,10 @@ Groom makeGroom(const Setup& setup) {
 }  // namespace
 
 Scene::Scene(const Setup& setup) : setup_(setup), groom_(makeGroom(setup)) {
-  for (std::uint32_t i = 0; i < setup.links; ++i) length_ += linkLength(setup, i);
+  for (std::uint32_t i = 0; i < setup.links; ++i) {
+    length_ += linkLength(setup, i);
+    shortest_ = std::min(shortest_, linkLength(setup, i));
+  }
 }
 
 RigidTransform Scene::headAt(int frame) const {
@@ -131,7 +135,10 @@ Inputs Scene::calm() const {
 
 double Scene::promisedRecovery() const {
   const GuideSettings& g = setup_.settings.guides;
-  if (setup_.body != Body::None || !(g.airDrag > 0)) return 0;
+  const glm::vec3 at = glm::abs(headAt(kDisturbed).translation);
+  const float far = std::max({at.x, at.y, at.z}) + reach();
+  const float spacing = std::nextafter(far, INFINITY) - far;
+  if (setup_.body != Body::None || !(g.airDrag > 0) || spacing > 1e-3f * shortest_) return 0;
   // The slowest swing of a hanging chain, x'' + drag x' + omega² x = 0 with omega² = (j / 2)² g / L
   // and j = 2.405 the first zero of J0; bending only makes it faster, but for its own damping.
   const double omega2 = 1.446 * 9.81 / length_, half = 0.5 * g.airDrag;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "bad_inputs.h"
 #include "setup.h"
 
@@ -24,7 +26,8 @@ class Scene {
   /// How far from the head's joint its hair may be, metres.
   float reach() const { return length_ + setup_.spread; }
   /// Seconds after which a strand that was thrown anywhere is back to a hundredth of its length, or
-  /// 0 where that is not promised: beside colliders, which leave a choice of sides, and undamped.
+  /// 0 where that is not promised: beside colliders, which leave a choice of sides, undamped, and
+  /// so far from the origin that floats are coarser than a thousandth of a link.
   double promisedRecovery() const;
 
  private:
@@ -33,7 +36,7 @@ class Scene {
 
   Setup setup_;
   Groom groom_;
-  float length_ = 0;
+  float length_ = 0, shortest_ = INFINITY;
 };
 
 }  // namespace hair::extremes
