@@ -111,6 +111,14 @@ RestShape makeRestShape(std::span<const glm::vec3> points, glm::vec3 rootNormal,
     rest.mass[i + 1] += 0.5f * rest.linkLength[i];
   }
   holdAgainstGravity(points, rootNormal, settings.gravity, rest);
+  // A substep takes tension along links as they were: what hangs on a link may not swing as fast as
+  // it can be turned in that time.
+  const float h2 = settings.substep * settings.substep;
+  for (std::size_t i = 0; i < links; ++i)
+    require(rest.tension[i] * h2 <= 3 * rest.mass[i + 1] * rest.linkLength[i], "groom: guide ",
+            guide, " link ", i, " of ", rest.linkLength[i],
+            " m is too short for what hangs on it; take longer links, more even ones, or shorter "
+            "substeps");
   return rest;
 }
 

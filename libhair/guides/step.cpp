@@ -306,9 +306,9 @@ namespace {
 HWY_EXPORT(stepGroups);
 
 // Far from the origin the floats of a substep would swallow small movements, and hair would stick
-// where it is: positions count from a place near the head then, a multiple of 64 m.
+// where it is: positions count from a place near the head then, a multiple of 16 m.
 glm::vec3 originFor(const RigidTransform& worldFromHead) {
-  return 64.0f * glm::round(worldFromHead.translation / 64.0f);
+  return 16.0f * glm::round(worldFromHead.translation / 16.0f);
 }
 
 void shift(GuideStrands& guides, glm::vec3 by) {

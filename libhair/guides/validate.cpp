@@ -53,8 +53,8 @@ void requirePrecision(const GuideStrands& guides, const RigidTransform& worldFro
   const glm::vec3 at = glm::abs(worldFromHead.translation);
   const float farthest = std::max({at.x, at.y, at.z}) + guides.reach();
   const float spacing = std::nextafter(farthest, INFINITY) - farthest;
-  // Each coordinate is off by half of that at most: sqrt(3) / 2 of it along a link.
-  require(0.87f * spacing <= 0.01f * guides.shortestLink(), "guides: ", farthest,
+  // Each coordinate of both ends is off by half of that at most: sqrt(3) of it along a link.
+  require(1.74f * spacing <= 0.01f * guides.shortestLink(), "guides: ", farthest,
           " m from the origin floats are ", spacing, " m apart, too coarse for links of ",
           guides.shortestLink(), " m; bring the origin nearer (moveOrigin), or take longer links");
 }

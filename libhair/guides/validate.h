@@ -20,8 +20,8 @@ void validate(std::span<const Capsule> capsules);
 void validatePush(std::span<const LaneVec3> push);
 
 /// World positions are floats: the farther from the origin, the farther apart. Refuses a head where
-/// rounding alone would stretch a link by more than a hundredth: 2 cm links beyond 2 km, 1 mm links
-/// beyond 128 m. The way out is an origin that is nearer (moveOrigin).
+/// rounding alone would stretch a link by more than a hundredth: 2 cm links beyond 1 km, 1 mm links
+/// beyond 64 m. The way out is an origin that is nearer (moveOrigin).
 void requirePrecision(const GuideStrands& guides, const RigidTransform& worldFromHead);
 
 }  // namespace hair

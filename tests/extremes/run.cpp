@@ -48,7 +48,10 @@ class SpeedBound {
     g_ = g;
   }
   void push(double acceleration) { lent_ += 2 * acceleration * scene_.strandLength(); }
-  void wind(double speed) { air_ = std::max(air_, 2 * speed); }
+  void wind(double speed, double drag) {
+    air_ = std::max(air_, 2 * speed);
+    push(2 * drag * speed);
+  }
   /// Each point is somewhere within the spacing of floats, and bent as if it had been put there.
   void rounding(const GuideStrands& guides) {
     const glm::vec3 at = glm::abs(guides.worldFromHead.translation);
@@ -128,7 +131,7 @@ class Run {
       check(in, hair, f);
       bound_.head(before, in.head, in.seconds);
       bound_.gravity(in.settings.guides.gravity);
-      bound_.wind(glm::length(in.settings.wind.velocity));
+      bound_.wind(glm::length(in.settings.wind.velocity), in.settings.guides.airDrag);
       if (in.settings.selfCollision) bound_.push(in.settings.repulsion.limit);
       // Inside a collider hair is put out of it at once; that is not a matter of energy.
       if (setup_.body == Body::None && !setup_.badField)
@@ -177,6 +180,7 @@ class Run {
     for (int f = 1; f <= frames; ++f) {
       frame(in.body(), in.settings, in.seconds, hair, profile_);
       frame(in.body(), in.settings, in.seconds, twin, unused);
+      if (in.settings.selfCollision) bound_.push(in.settings.repulsion.limit);
       check(in, hair, kDisturbed + f);
       away = distance(hair, twin);
       if (!(away <= kRecovered)) last = f;

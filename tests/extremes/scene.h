@@ -26,8 +26,9 @@ class Scene {
   /// How far from the head's joint its hair may be, metres.
   float reach() const { return length_ + setup_.spread; }
   /// Seconds after which a strand that was thrown anywhere is back to a hundredth of its length, or
-  /// 0 where that is not promised: beside colliders, which leave a choice of sides, undamped, and
-  /// so far from the origin that floats are coarser than a thousandth of a link.
+  /// 0 where that is not promised: beside colliders and much other hair, which leave a choice of
+  /// sides, undamped, and so far from the origin that floats are coarser than a thousandth of a
+  /// link.
   double promisedRecovery() const;
 
  private:
