@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <libhair/between_frames.h>
 #include <libhair/core/error.h>
 #include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
@@ -11,13 +12,9 @@
 
 namespace hair {
 
-namespace {
-
 ColliderState collidersOf(const BodyState& body, const MeshSdf* head) {
   return {body.worldFromHead, body.worldFromHead, body.capsules, body.capsules, head};
 }
-
-}  // namespace
 
 Hair::Hair(const Groom& groom_, const FrameSettings& settings, const BodyState& body,
            const MeshSdf* head_, const WispSettings& wispSettings)
@@ -38,6 +35,7 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
   const auto points = static_cast<std::int64_t>(hair.wisps.points.size());
   {
     const StageTimer timer(profile, Stage::Guides, guidePoints);
+    if (body.capsules.size() != hair.capsules.size()) changeColliders(body, settings, hair);
     const std::span<const LaneVec3> push =
         settings.selfCollision ? hair.repulsion.push : std::span<const LaneVec3>{};
     stepGuides({body.worldFromHead, body.capsules, hair.capsules, hair.head, settings.wind,
