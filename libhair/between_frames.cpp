@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
+#include <libhair/model/mesh_sdf.h>
 
 namespace hair {
 
@@ -28,15 +29,21 @@ void moveAll(std::vector<LaneVec3>& values, Move&& move) {
     for (std::size_t l = 0; l < kLanes; ++l) setLane(v, l, move(lane(v, l)));
 }
 
-// Of each guide, whether one of its points is nearer to a collider than the skin.
-std::vector<LaneMask> caught(const GuideStrands& guides, std::span<const Capsule> capsules,
+// Of each guide, whether one of its points is inside a collider, or in the inner half of its skin:
+// what rests on a collider is not.
+std::vector<LaneMask> caught(const GuideStrands& guides, const BodyState& body, const MeshSdf* head,
                              float skin) {
   const std::uint32_t n = guides.pointsPerGuide();
+  const RigidTransform headFromWorld = inverse(guides.worldFromHead);
+  const auto in = [&](glm::vec3 p, float clearance) {
+    if (head && head->distance(headFromWorld.point(p)) < clearance - 0.5f * skin) return true;
+    return std::ranges::any_of(
+        body.capsules, [&](const Capsule& c) { return distanceAndGradient(c, p).w < 0.5f * skin; });
+  };
   std::vector<LaneMask> inside(guides.groupCount());
   for (std::size_t at = 0; at < guides.position.size(); ++at)
-    for (std::size_t l = 0; l < kLanes; ++l)
-      for (const Capsule& c : capsules)
-        if (distanceAndGradient(c, lane(guides.position[at], l)).w < skin) inside[at / n][l] = -1;
+    for (std::size_t l = 0; l < kLanes && at % n > 0; ++l)
+      if (in(lane(guides.position[at], l), guides.clearance[at][l])) inside[at / n][l] = -1;
   return inside;
 }
 
@@ -44,7 +51,7 @@ std::vector<LaneMask> caught(const GuideStrands& guides, std::span<const Capsule
 // and tensions are what they were.
 void bringOut(const BodyState& body, const GuideSettings& settings, const MeshSdf* head,
               GuideWorkspace& workspace, GuideStrands& guides) {
-  const std::vector<LaneMask> inside = caught(guides, body.capsules, settings.skin);
+  const std::vector<LaneMask> inside = caught(guides, body, head, settings.skin);
   if (std::ranges::none_of(inside, [](const LaneMask& m) {
         for (std::size_t l = 0; l < kLanes; ++l)
           if (m[l]) return true;

@@ -26,7 +26,7 @@ struct FrameSettings {
   RepulsionSettings repulsion;
   Wind wind;
 
-  std::vector<Light> lights{Light{}};  ///< none: hair in its ambient colour
+  std::vector<Light> lights = std::vector<Light>(1);  ///< none: hair in its ambient colour
   bool shadow = true;
   DensityMapSettings map;  ///< of every light's map
   /// Head and body in every light's map, as soft as its cells (occlude). A program that draws has
