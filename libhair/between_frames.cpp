@@ -130,6 +130,7 @@ bool changeGroom(const Groom& groom, const FrameSettings& settings, Hair& hair) 
     if (next.repulsion.push.size() == hair.repulsion.push.size()) {
       next.repulsion.push = hair.repulsion.push;
       next.repulsion.turn = hair.repulsion.turn;
+      next.repulsion.waiting = hair.repulsion.waiting;
     }
   }
   bringOut(body, settings.guides, next.head, next.workspace, next.guides);

@@ -46,10 +46,12 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
     const StageTimer timer(profile, Stage::Wisps, points);
     interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
   }
-  if (settings.selfCollision) {
+  const int turns =
+      settings.selfCollision ? turnsDue(seconds, settings.repulsion, hair.repulsion) : 0;
+  if (turns > 0) {
     const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
     measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
-    repel(hair.guides, settings.repulsion, hair.repulsion);
+    for (int i = 0; i < turns; ++i) repel(hair.guides, settings.repulsion, hair.repulsion);
   }
   hair.worldFromHead = body.worldFromHead;
   hair.capsules.assign(body.capsules.begin(), body.capsules.end());
@@ -99,6 +101,7 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   still.guides.airDrag = std::max(still.guides.airDrag, 20.0f);
   hair.guides.reset(body.worldFromHead);
   hair.repulsion.turn = 0;
+  hair.repulsion.waiting = 0;
   hair.time = 0;
   std::fill(hair.repulsion.push.begin(), hair.repulsion.push.end(), LaneVec3{});
   std::vector<Capsule> grown(body.capsules.begin(), body.capsules.end());

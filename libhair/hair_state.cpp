@@ -23,8 +23,9 @@ struct Header {
   std::uint32_t turn;       // Repulsion::turn
   std::uint64_t restShape;  // restShapeOf
   double time;
-  std::uint32_t points, links;  // groups of them, of the guides
-  std::uint32_t felt;           // points again, or 0 without self-collision
+  float waiting;         // Repulsion::waiting
+  std::uint32_t points;  // groups of them, of the guides
+  std::uint32_t felt;    // points again, or 0 without self-collision
   std::uint32_t capsules, drawn, strands;
 };
 static_assert(sizeof(Header) == 56, "without gaps");
@@ -59,8 +60,8 @@ Header headerOf(const Hair& hair) {
   header.turn = static_cast<std::uint32_t>(hair.repulsion.turn);
   header.restShape = restShapeOf(hair);
   header.time = hair.time;
+  header.waiting = hair.repulsion.waiting;
   header.points = count(hair.guides.position);
-  header.links = count(hair.guides.tension);
   header.felt = count(hair.repulsion.allowed);
   header.capsules = count(hair.capsules);
   header.drawn = count(hair.wisps.points);
@@ -96,20 +97,19 @@ void check(const Header& header, const Hair& hair) {
           kVersion);
   const Header own = headerOf(hair);
   require(header.restShape == own.restShape && header.points == own.points &&
-              header.links == own.links && header.drawn == own.drawn &&
-              header.strands == own.strands,
+              header.drawn == own.drawn && header.strands == own.strands,
           kName,
           ": of another groom, or of guide settings that shape another rest; load it into "
           "the hair that it was saved of");
   require((header.felt == 0 || header.felt == own.points) && header.turn <= 1 &&
-              header.capsules <= kMaxCapsules,
+              header.waiting >= 0 && header.waiting <= 1 && header.capsules <= kMaxCapsules,
           kName, ": ", header.felt, " pushes, turn ", header.turn, " and ", header.capsules,
           " capsules cannot be (damaged)");
 }
 
-std::size_t bodySize(const Header& h) {
+std::size_t bodySize(const Header& h, std::size_t links) {
   return 2 * sizeof(Pose) + h.capsules * sizeof(Capsule) +
-         std::size_t{h.points} * 2 * sizeof(LaneVec3) + std::size_t{h.links} * sizeof(Lanes) +
+         std::size_t{h.points} * 2 * sizeof(LaneVec3) + links * sizeof(Lanes) +
          std::size_t{h.felt} * (sizeof(Lanes) + sizeof(LaneVec3)) +
          std::size_t{h.drawn} * sizeof(glm::vec3) +
          std::size_t{h.strands} * (sizeof(glm::vec3) + sizeof(float));
@@ -120,7 +120,8 @@ std::size_t bodySize(const Header& h) {
 void saveState(const Hair& hair, std::ostream& out) {
   const Header header = headerOf(hair);
   std::string bytes;
-  bytes.reserve(sizeof(Header) + bodySize(header) + sizeof(std::uint64_t));
+  bytes.reserve(sizeof(Header) + bodySize(header, hair.guides.tension.size()) +
+                sizeof(std::uint64_t));
   const auto add = [&]<class T>(const std::vector<T>& values) {
     append(bytes, std::span<const T>(values));
   };
@@ -142,7 +143,7 @@ void restoreState(std::istream& in, Hair& hair) {
   take(in, sizeof(Header), bytes);
   const auto header = ByteReader(bytes, kName).read<Header>("header");
   check(header, hair);
-  take(in, bodySize(header) + sizeof(std::uint64_t), bytes);
+  take(in, bodySize(header, hair.guides.tension.size()) + sizeof(std::uint64_t), bytes);
   const std::string_view summed(bytes.data(), bytes.size() - sizeof(std::uint64_t));
   ByteReader end(bytes, kName);
   end.seek(summed.size(), "check sum");
@@ -166,7 +167,7 @@ void restoreState(std::istream& in, Hair& hair) {
   read(capsules, header.capsules, "capsule");
   read(guides.position, header.points, "guide position");
   read(guides.velocity, header.points, "guide velocity");
-  read(guides.tension, header.links, "guide tension");
+  read(guides.tension, hair.guides.tension.size(), "guide tension");
   read(allowed, header.felt, "allowed density");
   read(push, header.felt, "push");
   read(points, header.drawn, "drawn point");
@@ -185,6 +186,7 @@ void restoreState(std::istream& in, Hair& hair) {
   hair.repulsion.allowed = std::move(allowed);
   hair.repulsion.push = std::move(push);
   hair.repulsion.turn = header.turn;
+  hair.repulsion.waiting = header.waiting;
   hair.wisps.points = std::move(points);
   hair.wisps.rootOffsets = std::move(rootOffsets);
   hair.wisps.clearance = std::move(clearance);

@@ -212,7 +212,7 @@ TEST(ChangedGroom, OfAsManyGuidesGoesOnMoving) {
   Scene scene(small(Style::Long), Motion::dance()), as(small(Style::Long), Motion::dance());
   for (int f = 0; f < 90; ++f) scene.step(), as.step();
   const GuideStrands before = scene.hair.guides;
-  const Groom cut = trimmed(scene.groom, 0.7f);
+  const Groom cut = trimmed(scene.groom, 0.95f);
   EXPECT_TRUE(changeGroom(cut, scene.settings, scene.hair));
   const GuideStrands& now = scene.hair.guides;
   EXPECT_EQ(scene.hair.time, as.hair.time);
@@ -222,7 +222,7 @@ TEST(ChangedGroom, OfAsManyGuidesGoesOnMoving) {
     for (std::uint32_t i = 0; i + 1 < now.pointsPerGuide(); ++i) {
       const glm::vec3 a = before.point(g, i + 1) - before.point(g, i),
                       b = now.point(g, i + 1) - now.point(g, i);
-      ASSERT_NEAR(glm::length(b), 0.7f * glm::length(a), 1e-5f);
+      ASSERT_NEAR(glm::length(b), 0.95f * glm::length(a), 1e-5f);
       off = std::max(off, glm::distance(glm::normalize(a), glm::normalize(b)));
     }
     kept += off < 1e-4f ? 1 : 0;

@@ -25,9 +25,12 @@ using Marks = std::vector<std::vector<glm::vec3>>;  // [kMarks] tips
 
 // Frames of `seconds(f)`, cut where a mark is; from time `from` of the dance on.
 template <class Length>
-Marks run(Style style, bool selfCollision, double from, Length&& seconds, float faster = 0) {
+Marks run(Style style, bool selfCollision, double from, Length&& seconds, float faster = 0,
+          float interval = 1.0f / 60) {
   FrameSettings settings = Scene::simulationOnly();
   settings.selfCollision = selfCollision;
+  settings.repulsion.strandStride = 1;  // of the few there are
+  settings.repulsion.interval = interval;
   Scene scene(small(style), Motion::dance(), settings);
   restart(scene.bodyAt(from), settings, 0.5f, scene.hair);
   for (LaneVec3& v : scene.hair.guides.velocity) v.x = v.x + faster;
@@ -76,16 +79,15 @@ TEST(FrameRate, TheHairIsTheSame) {
     for (const bool self : {false, true})
       for (const double from : {0.0, 5.0, 8.0}) {
         const Marks at60 = run(style, self, from, every(60));
-        std::printf(
-            "style %d self %d from %.0f path %.3f twin %.4f | 240 %.4f 144 %.4f 120 %.4f 30 %.4f "
-            "irregular %.4f mm\n",
-            (int)style, self, from, path(at60),
-            1e3 * apart(at60, run(style, self, from, every(60), 1e-5f)),
-            1e3 * apart(at60, run(style, self, from, every(240))),
-            1e3 * apart(at60, run(style, self, from, every(144))),
-            1e3 * apart(at60, run(style, self, from, every(120))),
-            1e3 * apart(at60, run(style, self, from, every(30))),
-            1e3 * apart(at60, run(style, self, from, irregular)));
+        std::printf("style %d self %d from %.0f path %.3f twin %.4f |", (int)style, self, from,
+                    path(at60), 1e3 * apart(at60, run(style, self, from, every(60), 1e-5f)));
+        for (int rate : {240, 144, 120, 30}) {
+          std::printf(" %d: %.4f", rate, 1e3 * apart(at60, run(style, self, from, every(rate))));
+          if (self)
+            std::printf(" (%.4f)",
+                        1e3 * apart(at60, run(style, self, from, every(rate), 0, 1.0f / rate)));
+        }
+        std::printf(" irregular %.4f mm\n", 1e3 * apart(at60, run(style, self, from, irregular)));
         fflush(stdout);
       }
 }
