@@ -91,19 +91,16 @@ double apart(const RigidTransform& there, bool selfCollision, bool twin = false)
 }
 
 TEST(Teleport, HairMovesAsItWouldHaveWithout) {
-  const double twin = apart({}, false, true);
-  const double turned = apart(about(2, {3, 0.5f, -7}), false);
-  std::printf("twin %.3g, turned %.3g m\n", twin, turned);
-  EXPECT_LT(turned, 1e-3);
+  // 0.06 mm is what rounding comes to; a twin's is 0.02 mm.
+  EXPECT_LT(apart(about(2, {3, 0.5f, -7}), false), 1.2e-4);
+  EXPECT_LT(apart({}, false, true), 5e-5);
 }
 
 TEST(Teleport, SelfCollisionGoesAlongByWholeCells) {
-  const double twin = apart({}, true, true);
-  const double moved = apart(about(0, {3, 0.5f, -7}), true);
-  const double turned = apart(about(2, {3, 0.5f, -7}), true);
-  std::printf("twin %.3g, moved %.3g, turned %.3g m\n", twin, moved, turned);
-  EXPECT_LT(moved, 1e-3);
-  EXPECT_LT(turned, 1e-2);
+  // Density is counted in the world's cells of 2 cm: elsewhere, and turned, they cut hair
+  // otherwise.
+  EXPECT_LT(apart(about(0, {3, 0.5f, -7}), true), 2.5e-4);
+  EXPECT_LT(apart(about(2, {3, 0.5f, -7}), true), 6e-3);
 }
 
 TEST(Teleport, IsNoMovement) {
@@ -179,9 +176,7 @@ TEST(ChangedColliders, ThrowNothingWhetherMoreOrFewer) {
     }
   };
   run(p.body(), 60);
-  const float appeared = fastest;
   run(scene.bodyAt(0), 60);
-  std::printf("appeared %.3f, went %.3f m/s, deepest %.3g m\n", appeared, fastest, deepest);
   EXPECT_EQ(scene.hair.capsules.size(), p.more.size() - 1);
   // Hair that loses its support falls; nothing is faster than a fall of 0.2 m.
   EXPECT_LT(fastest, 2);
@@ -233,8 +228,6 @@ TEST(ChangedGroom, OfAsManyGuidesGoesOnMoving) {
     fastest = std::max(fastest, scene.stats().speedMax);
     fastestBefore = std::max(fastestBefore, as.stats().speedMax);
   }
-  std::printf("kept %zu of %zu, fastest %.3f and %.3f m/s\n", kept, now.guideCount(), fastest,
-              fastestBefore);
   EXPECT_GT(kept, now.guideCount() / 2) << "nothing is in the way of most";
   EXPECT_LT(fastest, 1.5f * fastestBefore);
   EXPECT_LT(scene.stats().penetrationMax, 1e-3f);
@@ -245,8 +238,7 @@ TEST(ChangedGroom, IntoItselfIsNoChangeOfTheMotion) {
   for (int f = 0; f < 30; ++f) scene.step();
   const std::vector<glm::vec3> before = tipsOf(scene.hair);
   EXPECT_TRUE(changeGroom(scene.groom, scene.settings, scene.hair));
-  std::printf("into itself %.3g m\n", rmsDistance(tipsOf(scene.hair), before));
-  EXPECT_LT(rmsDistance(tipsOf(scene.hair), before), 1e-3);
+  EXPECT_LT(rmsDistance(tipsOf(scene.hair), before), 1e-6);
 }
 
 TEST(ChangedGroom, OfOtherGuidesIsAtRestWhereTheHeadIs) {
@@ -258,12 +250,9 @@ TEST(ChangedGroom, OfOtherGuidesIsAtRestWhereTheHeadIs) {
   EXPECT_EQ(scene.stats().speedMax, 0);
   EXPECT_LT(scene.stats().penetrationMax, 1e-3f);
   EXPECT_EQ(scene.hair.wisps.points.size(), curly.pointCount());
-  const float atOnce = [&] {
-    scene.step();
-    return scene.stats().speedMax;
-  }();
-  std::printf("first frame %.3f m/s\n", atOnce);
-  EXPECT_LT(atOnce, 2);
+  scene.step();
+  EXPECT_LT(scene.stats().speedMax, 3) << "no shock";
+  EXPECT_EQ(scene.hair.colours.size(), curly.pointCount());
 }
 
 TEST(ChangedGroom, ThatIsBadIsRefusedAndChangesNothing) {

@@ -59,7 +59,6 @@ TEST(Contract, HairThatStartsInTheMiddleOfAClipIsAtRestAndIsNotShaken) {
     EXPECT_EQ(started.stats().speedMax, 0);
     EXPECT_LT(started.stats().penetrationMax, 1e-3f) << t;
     const float with = fastest(started), without = fastest(danced);
-    std::printf("t %.1f: started %.3f, danced %.3f m/s\n", t, with, without);
     most = std::max(most, static_cast<double>(with / without));
   }
   RecordProperty("fastest_against_danced", std::to_string(most));
