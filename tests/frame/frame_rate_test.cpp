@@ -133,10 +133,8 @@ TEST(FrameRateOfPoses, AsOftenAsTheBodyIsKnownIsAsGoodAsMoreOften) {
   for (const double from : {5.0, 8.0}) {
     const Dance dance{false, from, 0, true};
     const Marks at30 = run(dance, every(30));
-    std::printf("filmed %.0f: 60 %.4f 120 %.4f mm\n", from, apart(at30, run(dance, every(60))),
-                apart(at30, run(dance, every(120))));
-    EXPECT_LT(apart(at30, run(dance, every(60))), 0.5);
-    EXPECT_LT(apart(at30, run(dance, every(120))), 0.5);
+    EXPECT_LT(apart(at30, run(dance, every(60))), 0.1);
+    EXPECT_LT(apart(at30, run(dance, every(120))), 0.7);
   }
 }
 
