@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <libhair/between_frames.h>
 #include <libhair/core/error.h>
 #include <libhair/guides/validate.h>
 #include <libhair/shadow/deposit.h>
@@ -12,13 +13,9 @@
 
 namespace hair {
 
-namespace {
-
 ColliderState collidersOf(const BodyState& body, const MeshSdf* head) {
   return {body.worldFromHead, body.worldFromHead, body.capsules, body.capsules, head};
 }
-
-}  // namespace
 
 Hair::Hair(const Groom& groom_, const FrameSettings& settings, const BodyState& body,
            const MeshSdf* head_, const WispSettings& wispSettings)
@@ -40,6 +37,7 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
   const auto points = static_cast<std::int64_t>(hair.wisps.points.size());
   {
     const StageTimer timer(profile, Stage::Guides, guidePoints);
+    if (body.capsules.size() != hair.capsules.size()) changeColliders(body, settings, hair);
     const std::span<const LaneVec3> push =
         settings.selfCollision ? hair.repulsion.push : std::span<const LaneVec3>{};
     stepGuides({body.worldFromHead, body.capsules, hair.capsules, hair.head, settings.wind,
@@ -50,10 +48,12 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
     const StageTimer timer(profile, Stage::Wisps, points);
     interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
   }
-  if (settings.selfCollision) {
+  const int turns =
+      settings.selfCollision ? turnsDue(seconds, settings.repulsion, hair.repulsion) : 0;
+  if (turns > 0) {
     const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
     measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
-    repel(hair.guides, settings.repulsion, hair.repulsion);
+    for (int i = 0; i < turns; ++i) repel(hair.guides, settings.repulsion, hair.repulsion);
   }
   hair.worldFromHead = body.worldFromHead;
   hair.capsules.assign(body.capsules.begin(), body.capsules.end());
@@ -103,6 +103,7 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   still.guides.airDrag = std::max(still.guides.airDrag, 20.0f);
   hair.guides.reset(body.worldFromHead);
   hair.repulsion.turn = 0;
+  hair.repulsion.waiting = 0;
   hair.time = 0;
   std::fill(hair.repulsion.push.begin(), hair.repulsion.push.end(), LaneVec3{});
   std::vector<Capsule> grown(body.capsules.begin(), body.capsules.end());

@@ -26,7 +26,7 @@ struct FrameSettings {
   RepulsionSettings repulsion;
   Wind wind;
 
-  std::vector<Light> lights{Light{}};  ///< none: hair in its ambient colour
+  std::vector<Light> lights = std::vector<Light>(1);  ///< none: hair in its ambient colour
   bool shadow = true;
   DensityMapSettings map;  ///< of every light's map
   /// Head and body in every light's map, as soft as its cells (occlude). A program that draws has
@@ -40,8 +40,11 @@ struct FrameSettings {
 /// Where head and body are at the end of a frame.
 struct BodyState {
   RigidTransform worldFromHead;
-  std::span<const Capsule> capsules;  ///< same count and order in every frame
+  std::span<const Capsule> capsules;  ///< as many as before move from there; else changeColliders
 };
+
+/// The same as stages see what stands still.
+ColliderState collidersOf(const BodyState& body, const MeshSdf* head);
 
 /// One head of hair over its frames: what the stages hand to each other.
 struct Hair {
@@ -67,6 +70,8 @@ struct Hair {
   GuideWorkspace workspace;
 
   StrandView strands() const { return wisps.strands(); }
+  /// Where head and body were at the end of the last frame.
+  BodyState body() const { return {worldFromHead, capsules}; }
   /// What lights at points look at: the joint that the head turns on. Hair that moves does not move
   /// it, so that neither cells nor brightness follow the hair's motion.
   glm::vec3 pivot() const { return worldFromHead.translation; }
