@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
+#include <libhair/guides/validate.h>
 #include <libhair/model/mesh_sdf.h>
 
 namespace hair {
@@ -27,6 +28,15 @@ template <class Move>
 void moveAll(std::vector<LaneVec3>& values, Move&& move) {
   for (LaneVec3& v : values)
     for (std::size_t l = 0; l < kLanes; ++l) setLane(v, l, move(lane(v, l)));
+}
+
+// Everything that has a place in the world, with the head to `worldFromHead`.
+template <class Move>
+void movePlaces(const RigidTransform& worldFromHead, Move&& point, Hair& hair) {
+  moveAll(hair.guides.position, point);
+  for (glm::vec3& p : hair.wisps.points) p = point(p);
+  for (Capsule& c : hair.capsules) c.a = point(c.a), c.b = point(c.b);
+  hair.worldFromHead = hair.guides.worldFromHead = worldFromHead;
 }
 
 // Of each guide, whether one of its points is inside a collider, or in the inner half of its skin:
@@ -102,14 +112,19 @@ void teleport(const RigidTransform& worldFromHead, Hair& hair) {
   const RigidTransform& old = hair.worldFromHead;
   const Jump jump{glm::normalize(worldFromHead.rotation * glm::conjugate(old.rotation)),
                   old.translation, worldFromHead.translation};
-  const auto point = [&](glm::vec3 p) { return jump.point(p); };
   const auto vector = [&](glm::vec3 v) { return jump.vector(v); };
-  moveAll(hair.guides.position, point);
   moveAll(hair.guides.velocity, vector);
   moveAll(hair.repulsion.push, vector);
-  for (glm::vec3& p : hair.wisps.points) p = point(p);
-  for (Capsule& c : hair.capsules) c.a = point(c.a), c.b = point(c.b);
-  hair.worldFromHead = hair.guides.worldFromHead = worldFromHead;
+  movePlaces(
+      worldFromHead, [&](glm::vec3 p) { return jump.point(p); }, hair);
+}
+
+void moveOrigin(glm::vec3 origin, Hair& hair) {
+  RigidTransform worldFromHead = hair.worldFromHead;
+  worldFromHead.translation -= origin;
+  validate(worldFromHead);
+  movePlaces(
+      worldFromHead, [&](glm::vec3 p) { return p - origin; }, hair);
 }
 
 void changeColliders(const BodyState& body, const FrameSettings& settings, Hair& hair) {

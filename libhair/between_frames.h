@@ -12,6 +12,13 @@ namespace hair {
 /// keeps its shape and does not see the jump. Gravity and wind stay the world's.
 void teleport(const RigidTransform& worldFromHead, Hair& hair);
 
+/// The world's origin moves to `origin`: what is handed over from now on counts from there. Hair
+/// keeps its shape, its speed and its place. Positions are floats, which are finest near the
+/// origin: who wanders far moves it along now and then, before requirePrecision (guides/validate.h)
+/// refuses a frame. Gusts of wind, and cells of the maps, are not where they were. Throws Error for
+/// an origin that is not finite.
+void moveOrigin(glm::vec3 origin, Hair& hair);
+
 /// Other colliders: the next frame takes those of `body` as having stood where they are now. Guides
 /// that are inside one are brought out, in no time and without a change of their velocities; guides
 /// that are clear of all keep every bit. frame() does this by itself where the body has more or

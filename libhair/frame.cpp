@@ -125,15 +125,4 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   hair.time = 0;
 }
 
-void moveOrigin(glm::vec3 origin, Hair& hair) {
-  RigidTransform worldFromHead = hair.worldFromHead;
-  worldFromHead.translation -= origin;
-  validate(worldFromHead);
-  hair.worldFromHead = hair.guides.worldFromHead = worldFromHead;
-  const LaneVec3 by{lanes(origin.x), lanes(origin.y), lanes(origin.z)};
-  for (LaneVec3& p : hair.guides.position) p = {p.x - by.x, p.y - by.y, p.z - by.z};
-  for (glm::vec3& p : hair.wisps.points) p -= origin;
-  for (Capsule& c : hair.capsules) c.a -= origin, c.b -= origin;
-}
-
 }  // namespace hair

@@ -97,11 +97,4 @@ void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile);
 /// its size: hair groomed through a shoulder finds its way out instead of being thrown out.
 void restart(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair);
 
-/// The world's origin moves to `origin`: what is handed over from now on counts from there. Hair
-/// keeps its shape, its speed and its place. Positions are floats, which are finest near the
-/// origin: who wanders far moves it along now and then, before requirePrecision (guides/validate.h)
-/// refuses a frame. Gusts of wind, and cells of the maps, are not where they were. Throws Error for
-/// an origin that is not finite.
-void moveOrigin(glm::vec3 origin, Hair& hair);
-
 }  // namespace hair

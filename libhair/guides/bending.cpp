@@ -6,6 +6,19 @@ namespace hair {
 
 namespace {
 
+// Says what link i may pull; returns its rest tension where the system must hold it, else 0.
+double beyondExplicit(const GuideStrands& guides, std::size_t group, std::size_t lane,
+                      std::size_t i, double h, BendingFactors& out) {
+  const std::size_t n = guides.pointsPerGuide(), at = group * (n - 1) + i;
+  const auto step = static_cast<float>(h);
+  const float bears = 0.25f / (step * step) * guides.pointMass[group * n + i + 1][lane] *
+                      guides.linkLength[at][lane];
+  const float rest = guides.restTension[at][lane];
+  const float held = rest > bears ? rest : 0.0f;
+  out.mostTension[at][lane] = bears + held;
+  return held;
+}
+
 // One lane, in double precision: the factors lose digits where links are short and h is long.
 void factorLane(const GuideStrands& guides, std::size_t group, std::size_t lane, double h,
                 BendingFactors& out) {
@@ -17,9 +30,10 @@ void factorLane(const GuideStrands& guides, std::size_t group, std::size_t lane,
     const double kappa = (1.0 + out.damping) * guides.jointStiffness[group * links + i][lane];
     const double next = 1.0 / guides.linkLength[group * links + i][lane];
     const double before = i > 0 ? 1.0 / guides.linkLength[group * links + i - 1][lane] : 0.0;
-    diagonal[i + 1] += kappa * next * next;
-    diagonal[i] += kappa * (next + before) * (next + before);
-    below1[i + 1] -= kappa * next * (next + before);
+    const double taut = beyondExplicit(guides, group, lane, i, h, out) * next;
+    diagonal[i + 1] += kappa * next * next + taut;
+    diagonal[i] += kappa * (next + before) * (next + before) + taut;
+    below1[i + 1] -= kappa * next * (next + before) + taut;
     if (i == 0) continue;
     diagonal[i - 1] += kappa * before * before;
     below1[i] -= kappa * before * (next + before);
@@ -47,6 +61,7 @@ void factorBending(const GuideStrands& guides, float substep, float bendDamping,
   factors.substep = substep;
   factors.damping = damping;
   for (auto* f : {&factors.inverseD, &factors.below1, &factors.below2}) f->assign(size, Lanes{});
+  factors.mostTension.assign(guides.restTension.size(), Lanes{});
   for (std::size_t g = 0; g < guides.groupCount(); ++g)
     for (std::size_t l = 0; l < kLanes; ++l) factorLane(guides, g, l, substep, factors);
 }

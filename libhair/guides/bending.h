@@ -17,12 +17,21 @@ namespace hair {
 /// At rest the right-hand side is zero, so neither rounding nor the factors can move a groom.
 /// K couples a point with two neighbours on each side, is the same for x, y and z, and does not
 /// change while h stays: one pentadiagonal factorisation, then two sweeps a substep.
+///
+/// Tension is among the forces f, along the links as they were before the substep. Points u between
+/// links with tension T and length l have the lateral stiffness S, u' S u = sum T |u_(i+1) - u_i|²
+/// / l, at most 4 T / l for a mass m: symplectic steps are stable for 4 T h² / (m l) < 4, a quarter
+/// of which is what the solver lets a link pull (`mostTension`). Where the rest tension is more
+/// than that, as on a short link that carries long ones, its S joins K: a mode with the ratio w = S
+/// h² / m then moves by w / (1 + w) of its force, below 1 whatever T is, and slow modes, w << 1, as
+/// before.
 struct BendingFactors {
-  float substep = 0;            ///< h they were made for, seconds
-  float damping = 0;            ///< bendDamping / h they were made for
-  std::vector<Lanes> inverseD;  ///< [groupCount · pointsPerGuide]; point 0 is the fixed root
-  std::vector<Lanes> below1;    ///< L(i, i - 1)
-  std::vector<Lanes> below2;    ///< L(i, i - 2)
+  float substep = 0;               ///< h they were made for, seconds
+  float damping = 0;               ///< bendDamping / h they were made for
+  std::vector<Lanes> inverseD;     ///< [groupCount · pointsPerGuide]; point 0 is the fixed root
+  std::vector<Lanes> below1;       ///< L(i, i - 1)
+  std::vector<Lanes> below2;       ///< L(i, i - 2)
+  std::vector<Lanes> mostTension;  ///< [groupCount · linksPerGuide], m²/s²
 };
 
 /// Makes the factors unless they are there for this substep and damping (seconds) already. One set

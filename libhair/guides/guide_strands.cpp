@@ -55,6 +55,7 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
   inverseLength.resize(groups * links);
   curvature.resize(groups * links);
   jointStiffness.resize(groups * links);
+  uneven.resize(groups);
   for (std::size_t slot = 0; slot < groups * kLanes; ++slot) {
     const std::size_t guide = std::min(slot, guideCount_ - 1), group = slot / kLanes,
                       l = slot % kLanes;
@@ -82,6 +83,10 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
       jointStiffness[group * links + i][l] = rest.stiffness[i];
     }
     reach_ = std::max(reach_, glm::length(points[0]) + length);
+    longestSubstep_ = std::min(longestSubstep_, rest.longestSubstep);
+    const auto [least, most] =
+        std::minmax_element(rest.linkLength.begin(), rest.linkLength.begin() + links);
+    if (*most > 4 * *least) uneven[group] = 1;
   }
   reset(worldFromHead_);
 }

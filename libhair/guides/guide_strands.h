@@ -53,6 +53,8 @@ class GuideStrands {
   float shortestLink() const { return shortestLink_; }  ///< metres
   /// How far from the head's joint a point can be, as no link stretches, metres.
   float reach() const { return reach_; }
+  /// What substep its shortest and stiffest joints bear, seconds; stepGuides takes none longer.
+  float longestSubstep() const { return longestSubstep_; }
 
   /// Back to the groom at rest on a head at `worldFromHead`, without speed. Throws Error for one
   /// that is not finite or too far from the origin (validate.h).
@@ -83,11 +85,14 @@ class GuideStrands {
   std::vector<Lanes> pointMass;    ///< [groupCount · pointsPerGuide], per linear density (metres)
   std::vector<Lanes> inverseMass;  ///< [groupCount · pointsPerGuide], 1 / pointMass; root: 0
   std::vector<Lanes> clearance;    ///< [groupCount · pointsPerGuide], least distance to the head
+  /// [groupCount], whether links of a strand differ by more than 4 times: then what one of them may
+  /// pull is no measure of what the next one may.
+  std::vector<std::uint8_t> uneven;
 
  private:
   std::size_t guideCount_;
   std::uint32_t points_;
-  float shortestLink_ = INFINITY, reach_ = 0;
+  float shortestLink_ = INFINITY, reach_ = 0, longestSubstep_ = INFINITY;
 };
 
 /// Normal of the frame at a strand's root: any, but a fixed function of the root direction.

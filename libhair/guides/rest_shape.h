@@ -17,12 +17,14 @@ inline constexpr std::uint32_t kMaxGuidePoints = 64;
 struct RestShape {
   std::array<float, kMaxGuidePoints> linkLength{}, stiffness{}, mass{}, tension{};
   std::array<glm::vec3, kMaxGuidePoints> curvature{};  ///< c_i, (normal, binormal, tangent)
+  float longestSubstep = 0;  ///< seconds, in which floats still solve its bending
 };
 
 /// Rest lengths, masses, joint stiffness and rest curvatures of a guide with these points (head
 /// space, root first) under gravity. A groom that its stiffness could not hold up (a long soft
 /// strand standing on end buckles) is made as stiff as it takes, with a margin.
-/// Throws Error for a link without length; `guide` names it.
+/// Throws Error for a link without length, and for joints so stiff and short that they would take
+/// substeps below 1/20000 s; `guide` names it.
 RestShape makeRestShape(std::span<const glm::vec3> points, glm::vec3 rootNormal,
                         const GuideSettings& settings, std::size_t guide);
 

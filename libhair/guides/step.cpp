@@ -21,29 +21,18 @@ struct Group {
   LaneVec3 *position, *velocity;
   Lanes* tension;
   const LaneVec3 *restPosition, *push;
-  const Lanes *mass, *inverseMass, *linkLength, *clearance;
+  const Lanes *mass, *inverseMass, *linkLength, *mostTension, *clearance;
   RootFrame rest;
   BendingGroup bending;
-  bool uneven;  ///< links of very different lengths in a strand
+  bool uneven;
 };
 
-// Then what one link may pull is no measure of what the next one may.
-HWY_INLINE bool unevenLinks(const Lanes* linkLength, std::uint32_t links) {
-  Floats least = linkLength[0], most = least;
-  for (std::uint32_t i = 1; i < links; ++i)
-    least = min(least, linkLength[i]), most = max(most, linkLength[i]);
-  return any(most > Floats(4.0f) * least);
-}
-
-// Scales the tensions of a strand down until none is beyond what predict may apply (`quarter`): cut
-// one by one they would no longer balance, and throw light points between a short link and a long
-// one.
-HWY_NOINLINE void scaleTensions(const Group& g, const Floats& quarter) {
+// Scales the tensions of a strand down until none is beyond what predict may apply: cut one by one
+// they would no longer balance, and throw light points between a short link and a long one.
+HWY_NOINLINE void scaleTensions(const Group& g) {
   Floats share = 1.0f;
-  for (std::uint32_t i = 0; i + 1 < g.points; ++i) {
-    const Floats most = quarter * Floats(g.mass[i + 1]) * Floats(g.linkLength[i]);
-    share = min(share, most / max(abs(Floats(g.tension[i])), Floats(1e-20f)));
-  }
+  for (std::uint32_t i = 0; i + 1 < g.points; ++i)
+    share = min(share, Floats(g.mostTension[i]) / max(abs(Floats(g.tension[i])), Floats(1e-20f)));
   for (std::uint32_t i = 0; i + 1 < g.points; ++i)
     store(share * Floats(g.tension[i]), g.tension[i]);
 }
@@ -92,12 +81,11 @@ HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Win
   const Vec3 drift((colliders.at - colliders.atBefore) * (1.0f / h)), now(colliders.at);
   const Vec3 gravity(settings.gravity);
   constexpr float kPerRadius2 = 1.0f / (kCarriedAirRadius * kCarriedAirRadius);
-  // Tension acts along the links as they were; beyond m l / (4 h²) it could no longer be stepped
-  // explicitly, and Newton does the rest.
-  const Floats quarter = 0.25f / (h * h);
-  if (g.uneven) scaleTensions(g, quarter);
+  // Tension acts along the links as they were; beyond what the system bears (BendingFactors) Newton
+  // does the rest.
+  if (g.uneven) scaleTensions(g);
   const auto pullOf = [&](std::uint32_t i) HWY_ATTR {
-    const Floats most = quarter * Floats(g.mass[i + 1]) * Floats(g.linkLength[i]);
+    const Floats most = g.mostTension[i];
     const Floats tension = max(min(Floats(g.tension[i]), most), -most);
     store(tension, g.tension[i]);
     return tension * s.directions[i];
@@ -270,11 +258,12 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
         &guides.pointMass[p],
         &guides.inverseMass[p],
         &guides.linkLength[l],
+        &factors.mostTension[l],
         &guides.clearance[p],
         {guides.rootTangent[k], guides.rootNormal[k]},
         {n, &guides.curvature[l], &guides.jointStiffness[l], &guides.inverseLength[l],
          &factors.inverseD[p], &factors.below1[p], &factors.below2[p], factors.damping},
-        unevenLinks(&guides.linkLength[l], links)};
+        guides.uneven[k] != 0};
     findDirections(n, group.position, s.directions);
     for (std::uint32_t i = 0; i < n; ++i)
       s.seenAt[i] = group.position[i], s.clear[i] = Clearance(0);
@@ -372,8 +361,9 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
   require(capsules == motion.capsulesBefore.size() && capsules <= kMaxCapsules,
           "stepGuides: ", motion.capsulesBefore.size(), " capsules before and ", capsules,
           " after; they must be as many, at most ", kMaxCapsules);
-  const auto substeps = std::max<std::size_t>(
-      1, static_cast<std::size_t>(std::ceil(seconds / settings.substep - 1e-3f)));
+  const float longest = std::min(settings.substep, guides.longestSubstep());
+  const auto substeps =
+      std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(seconds / longest - 1e-3f)));
   const float h = seconds / static_cast<float>(substeps);
   factorBending(guides, h, settings.bendDamping, workspace.bending);
   const glm::vec3 origin = originFor(motion.worldFromHead);

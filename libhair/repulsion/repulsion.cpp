@@ -184,7 +184,7 @@ void check(const RepulsionSettings& s) {
   field(s.threshold >= 0 && s.threshold < 1e30f, "threshold", s.threshold, "[0, 1e30) m/m^3");
   field(s.tolerance >= 1 && s.tolerance < 1e6f, "tolerance", s.tolerance, "[1, 1e6)");
   field(s.strength >= 0 && s.strength < 1e6f, "strength", s.strength, "[0, 1e6) m/s^2");
-  field(s.limit >= 0 && s.limit < 1e6f, "limit", s.limit, "[0, 1e6) m/s^2");
+  field(s.limit >= 0 && s.limit < 1e12f, "limit", s.limit, "[0, 1e12) m/s^2");
   field(s.interval > 0 && s.interval <= 1, "interval", s.interval, "(0, 1] s");
 }
 
@@ -208,7 +208,7 @@ void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSetting
   map.quantity = Quantity::Length;
   clear(density, map, {});
   // Of few strands more are counted: a lone one that stood for many would push itself away.
-  constexpr std::size_t kFewest = 64;
+  constexpr std::size_t kFewest = 30;
   const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(
       std::max<std::size_t>(drawn.strandCount() / kFewest, 1), settings.strandStride));
   deposit(drawn, fibre, density, most);

@@ -37,7 +37,9 @@ std::vector<Dimension> listed() {
         {"1e7 m",
          [](S& s) {
            s.place = {1e7f, 0, 0};
-         }}}},
+         }}},
+       true,
+       1},
       {"frame",
        {{"1/60 s", [](S&) {}},
         {"1e-5 s", [](S& s) { s.frame = 1e-5f; }},
@@ -112,14 +114,16 @@ std::vector<Dimension> listed() {
         {"1e4", [](S& s) { s.ratio = 1e4f; }}}},
       {"links",
        {{"15", [](S&) {}},
-        {"0", [](S& s) { s.links = 0; }},
         {"1", [](S& s) { s.links = 1; }},
         {"2", [](S& s) { s.links = 2; }},
         {"3", [](S& s) { s.links = 3; }},
         {"31", [](S& s) { s.links = 31; }},
         {"63", [](S& s) { s.links = 63; }},
+        {"0", [](S& s) { s.links = 0; }},
         {"64", [](S& s) { s.links = 64; }},
-        {"1000", [](S& s) { s.links = 1000; }}}},
+        {"1000", [](S& s) { s.links = 1000; }}},
+       true,
+       3},
       {"strands",
        {{"17", [](S&) {}},
         {"1", [](S& s) { s.strands = 1; }},
@@ -226,6 +230,10 @@ const std::vector<Dimension>& dimensions() {
   return all;
 }
 
+bool wrongOnPurpose(std::uint32_t number) {
+  return number % 3 == 2;
+}
+
 std::vector<std::size_t> draw(std::uint32_t number, std::uint32_t seed) {
   const std::size_t fields = badInputs().size(), count = dimensions().size();
   const auto random = [&](std::size_t use) {
@@ -235,9 +243,14 @@ std::vector<std::size_t> draw(std::uint32_t number, std::uint32_t seed) {
     return static_cast<std::size_t>(random(use) * static_cast<float>(n));
   };
   std::vector<std::size_t> values(count + 2, 0);
-  // Every third has a bad input somewhere in an ordinary scene: its refusal says no more where
-  // other things are extreme too.
-  if (number % 3 == 2) {
+  // What is wrong is so in an ordinary scene: its refusal says no more where other things are
+  // extreme too.
+  if (wrongOnPurpose(number)) {
+    const std::size_t d = below(count, 2 * count + 2);
+    if (const Dimension& some = dimensions()[d]; some.refused > 0) {
+      values[d] = some.values.size() - 1 - below(some.refused, 2 * count + 3);
+      return values;
+    }
     values[count] = 1 + below(fields, 2 * count);
     values[count + 1] = below(badValues().size(), 2 * count + 1);
     return values;
@@ -245,7 +258,8 @@ std::vector<std::size_t> draw(std::uint32_t number, std::uint32_t seed) {
   // In half of the others few things are extreme, so that what a value does is seen alone.
   const float share = number % 3 == 0 ? 1.5f / static_cast<float>(count) : 0.4f;
   for (std::size_t d = 0; d < count; ++d)
-    if (random(d) < share) values[d] = 1 + below(dimensions()[d].values.size() - 1, count + d);
+    if (random(d) < share)
+      values[d] = 1 + below(dimensions()[d].values.size() - dimensions()[d].refused - 1, count + d);
   return values;
 }
 
@@ -255,6 +269,7 @@ Setup setupOf(const std::vector<std::size_t>& values) {
   for (std::size_t d = 0; d < count; ++d) {
     dimensions()[d].values[values[d]].apply(setup);
     setup.ordinary &= values[d] == 0 || !dimensions()[d].movesGuides;
+    setup.refused |= dimensions()[d].refuses(values[d]);
   }
   if (values[count] > 0) {
     setup.badField = badInputs()[values[count] - 1].name;

@@ -64,7 +64,7 @@ void tell(const Done& done, bool everything) {
   if (!o.refused.empty()) std::cout << "  refused: " << o.refused << '\n';
   if (everything)
     std::cout << "  stretch " << o.stretch << ", energy of what is allowed " << o.energy
-              << ", recovery " << o.recovery << " s\n";
+              << ", growth " << o.growth << ", recovery " << o.recovery << " s\n";
   std::cout.flush();
 }
 

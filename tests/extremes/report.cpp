@@ -1,8 +1,11 @@
 #include "report.h"
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
+#include <map>
 #include <ostream>
+#include <regex>
 
 #include "bad_inputs.h"
 
@@ -43,8 +46,30 @@ template <class Matches>
 Sum sumOf(const std::vector<Done>& all, Matches&& matches) {
   Sum sum;
   for (const Done& d : all)
-    if (matches(d.values)) sum.add(d.outcome);
+    if (matches(d)) sum.add(d.outcome);
   return sum;
+}
+
+/// An Error's message without its figures and advice.
+std::string reasonOf(const std::string& message) {
+  static const std::regex figures("-?(nan|inf|[0-9][0-9.]*(e[-+]?[0-9]+)?)");
+  return std::regex_replace(message.substr(0, message.find(';')), figures, "…");
+}
+
+void writeReasons(const std::vector<Done>& all, std::ostream& out) {
+  std::map<std::string, std::array<std::size_t, 2>> reasons;
+  std::array<std::size_t, 2> refused{}, count{};
+  for (const Done& d : all) {
+    const bool wrong = wrongOnPurpose(d.number);
+    ++count[wrong];
+    if (d.outcome.refused.empty()) continue;
+    ++refused[wrong], ++reasons[reasonOf(d.outcome.refused)][wrong];
+  }
+  out << "\n| refused because | combinations | with something wrong on purpose |\n|---|---|---|\n";
+  for (const auto& [reason, times] : reasons)
+    out << "| " << reason << " | " << times[0] << " | " << times[1] << " |\n";
+  out << "| all | " << refused[0] << " of " << count[0] << " | " << refused[1] << " of " << count[1]
+      << " |\n";
 }
 
 std::string quoted(std::string text) {
@@ -69,36 +94,42 @@ std::string nameOf(const std::vector<std::size_t>& values) {
 }
 
 void writeCsv(const std::vector<Done>& all, std::ostream& out) {
-  out << "number,combination,refused,violations,stretch,energy of allowed,recovery s\n";
+  out << "number,combination,refused,violations,stretch,energy of allowed,growth,recovery s\n";
   for (const Done& d : all) {
     std::string violations;
     for (const std::string& v : d.outcome.violations) violations += v + ". ";
     out << d.number << ',' << quoted(nameOf(d.values)) << ',' << quoted(d.outcome.refused) << ','
         << quoted(violations) << ',' << d.outcome.stretch << ',' << d.outcome.energy << ','
-        << d.outcome.recovery << '\n';
+        << d.outcome.growth << ',' << d.outcome.recovery << '\n';
   }
 }
 
 void writeTables(const std::vector<Done>& all, std::ostream& out) {
   const std::size_t count = dimensions().size();
+  writeReasons(all, out);
   for (std::size_t d = 0; d < count; ++d) {
     writeHead(dimensions()[d].name, out);
     for (std::size_t v = 0; v < dimensions()[d].values.size(); ++v)
-      writeLine(
-          dimensions()[d].values[v].name,
-          sumOf(all, [&](const auto& values) { return values[count] == 0 && values[d] == v; }),
-          out);
+      writeLine(dimensions()[d].values[v].name,
+                sumOf(all,
+                      [&](const Done& done) {
+                        return done.values[d] == v &&
+                               (!wrongOnPurpose(done.number) || dimensions()[d].refuses(v));
+                      }),
+                out);
   }
   writeHead("bad input", out);
   for (std::size_t f = 0; f < badInputs().size(); ++f)
     writeLine(badInputs()[f].name,
-              sumOf(all, [&](const auto& values) { return values[count] == f + 1; }), out);
+              sumOf(all, [&](const Done& done) { return done.values[count] == f + 1; }), out);
   writeHead("what it was", out);
   for (std::size_t v = 0; v < badValues().size(); ++v)
-    writeLine(
-        badValues()[v].name,
-        sumOf(all, [&](const auto& values) { return values[count] > 0 && values[count + 1] == v; }),
-        out);
+    writeLine(badValues()[v].name,
+              sumOf(all,
+                    [&](const Done& done) {
+                      return done.values[count] > 0 && done.values[count + 1] == v;
+                    }),
+              out);
 }
 
 }  // namespace hair::extremes

@@ -151,6 +151,22 @@ class Run {
       fail("energy of ", speed, " m/s in frame ", frame, ", of at most ", bound, " m/s");
   }
 
+  // Left alone, hair only loses energy.
+  void checkGrowth(const Hair& hair, const Inputs& in, int frame) {
+    const double energy = energyOf(hair.guides, in.head, in.seconds, kGravity);
+    const double lift = 9.81 * scene_.strandLength();
+    if (!std::ranges::any_of(hair.repulsion.push, [](const LaneVec3& p) {
+          for (std::size_t l = 0; l < kLanes; ++l)
+            if (lane(p, l) != glm::vec3(0)) return true;
+          return false;
+        }))
+      out_.growth = std::max(out_.growth, (energy - least_) / lift);
+    else
+      least_ = INFINITY;
+    least_ = std::min(least_, energy);
+    (void)frame;
+  }
+
   void check(const Inputs& in, const Hair& hair, int frame) {
     const GuideStats stats = measureGuides(hair.guides, in.settings.guides, {}, nullptr);
     if (!std::isfinite(stats.stretchMax) || !std::isfinite(stats.speedMax))
@@ -185,6 +201,7 @@ class Run {
       away = distance(hair, twin);
       if (!(away <= kRecovered)) last = f;
       if (setup_.body == Body::None) checkEnergy(hair, in.head, in, bound_.value(), kDisturbed + f);
+      if (f > 1) checkGrowth(hair, in, kDisturbed + f);
       if (f - last > 30 && away < 0.25 * kRecovered) break;
     }
     if (!asked) return;
@@ -223,7 +240,7 @@ class Run {
   const Setup& setup_;
   Scene scene_;
   SpeedBound bound_;
-  double restEnergy_ = 0;
+  double restEnergy_ = 0, least_ = INFINITY;
   Outcome& out_;
   Groom groom_;
   FrameProfile profile_{};
@@ -238,6 +255,7 @@ Outcome run(const Setup& setup) {
   } catch (const Error& e) {
     if (out.refused.empty()) out.refused = e.what();
   }
+  if (setup.refused && out.refused.empty()) out.violations.push_back("accepted");
   return out;
 }
 

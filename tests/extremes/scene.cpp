@@ -30,7 +30,7 @@ void addGuide(const Setup& setup, std::uint32_t s, Groom& groom) {
     if (i == setup.links) break;
     // Leaves the ball slantwise, and turns down; a string cannot, and hangs.
     const float way = static_cast<float>(i) / static_cast<float>(setup.links);
-    const float slant = setup.settings.guides.bendingStiffness > 1e-12f ? 0.4f * (1 - way) : 0.0f;
+    const float slant = setup.settings.guides.bendingStiffness > 0 ? 0.4f * (1 - way) : 0.0f;
     p += linkLength(setup, i) * glm::normalize(glm::vec3(0, -1, 0) + slant * out);
   }
 }
@@ -138,11 +138,7 @@ double Scene::promisedRecovery() const {
   const glm::vec3 at = glm::abs(headAt(kDisturbed).translation);
   const float far = std::max({at.x, at.y, at.z}) + reach();
   const float spacing = std::nextafter(far, INFINITY) - far;
-  // Hair that is always pushed, or rests on hair, has more than one way to rest.
-  const bool crowded = setup_.settings.selfCollision &&
-                       (setup_.strands > 100 || setup_.settings.repulsion.threshold == 0);
-  if (setup_.body != Body::None || crowded || !(g.airDrag > 0) || spacing > 1e-3f * shortest_)
-    return 0;
+  if (setup_.body != Body::None || !(g.airDrag > 0) || spacing > 1e-3f * shortest_) return 0;
   // The slowest swing of a hanging chain, x'' + drag x' + omega² x = 0 with omega² = (j / 2)² g / L
   // and j = 2.405 the first zero of J0; bending only makes it faster, but for its own damping.
   const double omega2 = 1.446 * 9.81 / length_, half = 0.5 * g.airDrag;

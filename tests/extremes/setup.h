@@ -42,6 +42,7 @@ struct Setup {
   const char* badField = nullptr;  ///< of badInputs()
   float badValue = 0;
   bool ordinary = true;  ///< in all that moves guides
+  bool refused = false;  ///< must be, whatever the rest is
 };
 
 /// A value of a dimension; the first one of each is the ordinary.
@@ -53,11 +54,17 @@ struct Dimension {
   const char* name;
   std::vector<Value> values;
   bool movesGuides = true;  ///< else only what is drawn of them
+  std::size_t refused = 0;  ///< so many of the last values are refused, whatever the others are
+
+  bool refuses(std::size_t value) const { return value + refused >= values.size(); }
 };
 const std::vector<Dimension>& dimensions();
 
-/// Combination `number` of those that a seed makes: for each dimension which of its values it has.
-/// About a third are ordinary in each dimension but one or two, the others in half of them.
+/// Combination `number` of those that a seed makes: for each dimension which of its values it has,
+/// then which bad input and its value. In every third something is wrong (a bad input, or a value
+/// that is always refused) in a scene that is ordinary else. Of the others half are ordinary in
+/// each dimension but one or two, half in six of ten.
+bool wrongOnPurpose(std::uint32_t number);
 std::vector<std::size_t> draw(std::uint32_t number, std::uint32_t seed);
 Setup setupOf(const std::vector<std::size_t>& values);
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <libhair/between_frames.h>
 #include <libhair/core/error.h>
 #include <tests/guides/sphere_groom.h>
 
