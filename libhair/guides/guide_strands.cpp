@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <libhair/core/error.h>
 #include <libhair/guides/validate.h>
@@ -74,6 +75,8 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
     }
     float length = 0;
     for (std::size_t i = 0; i < links; ++i) {
+      if (rest.borne[i] < leastBorne_)
+        leastBorne_ = rest.borne[i], weakestGuide_ = guide, weakestLink_ = i;
       length += rest.linkLength[i];
       shortestLink_ = std::min(shortestLink_, rest.linkLength[i]);
       linkLength[group * links + i][l] = rest.linkLength[i];
@@ -91,9 +94,20 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
   reset(worldFromHead_);
 }
 
+float GuideStrands::longestSubstep(const RigidTransform& at) const {
+  const glm::vec3 near = glm::abs(at.translation - stepOrigin(at));
+  const float spacing = floatSpacing(std::max({near.x, near.y, near.z}) + reach_);
+  const float h = std::sqrt(4 * leastBorne_ / spacing);
+  require(h >= kShortestSubstep, "groom: guide ", weakestGuide_, " link ", weakestLink_,
+          " is too short for what it carries: it would take substeps of ", h, " s, below ",
+          kShortestSubstep, "; take longer or more even links");
+  return std::min(h, longestSubstep_);
+}
+
 void GuideStrands::reset(const RigidTransform& to) {
   validate(to);
   requirePrecision(*this, to);
+  longestSubstep(to);
   worldFromHead = to;
   for (std::size_t k = 0; k < position.size(); ++k) {
     for (std::size_t l = 0; l < kLanes; ++l)

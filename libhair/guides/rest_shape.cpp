@@ -65,6 +65,10 @@ void holdAgainstGravity(std::span<const glm::vec3> points, glm::vec3 rootNormal,
     const glm::vec3 full = torque + rest.linkLength[i] * weight;
     g[i] = full - glm::dot(full, d[i]) * d[i];
     rest.tension[i] = glm::dot(d[i], weight - (g[i] - torque) / rest.linkLength[i]);
+    // The torques of both of its joints push on the ends of link i, away from it on either side.
+    const float mass = i > 0 ? std::min(rest.mass[i], rest.mass[i + 1]) : rest.mass[i + 1];
+    const float most = std::max(glm::length(g[i]), glm::length(torque));
+    rest.borne[i] = mass * rest.linkLength[i] * rest.linkLength[i] * rest.linkLength[i] / most;
     torque = g[i];
   }
   const auto factor = static_cast<float>(stiffnessToStand(rest, links));
@@ -87,15 +91,15 @@ void holdAgainstGravity(std::span<const glm::vec3> points, glm::vec3 rootNormal,
 // less. Measured (hair-extremes): with R up to 1e9 hair rests and keeps its energy, with 1e10 it
 // does not.
 float longestSubstep(const RestShape& rest, std::size_t links, std::size_t guide) {
-  constexpr float kMostRatio = 1e9f, kShortest = 1.0f / 20000;
+  constexpr float kMostRatio = 1e9f;
   float longest = INFINITY;
   for (std::size_t i = 0; i < links; ++i) {
     const float next = rest.linkLength[i], before = i > 0 ? rest.linkLength[i - 1] : next;
     const float joint = 0.5f * (i > 0 ? before + next : next), arm = std::min(before, next);
     const float h = arm * std::sqrt(kMostRatio * joint / rest.stiffness[i]);
-    require(h >= kShortest, "groom: guide ", guide, " link ", i, " of ", next,
+    require(h >= kShortestSubstep, "groom: guide ", guide, " link ", i, " of ", next,
             " m is too short for its stiffness: it would take substeps of ", h, " s, below ",
-            kShortest, "; take longer or more even links, or less bendingStiffness");
+            kShortestSubstep, "; take longer or more even links, or less bendingStiffness");
     longest = std::min(longest, h);
   }
   return longest;

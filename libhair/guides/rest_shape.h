@@ -12,12 +12,19 @@ namespace hair {
 /// Longest guide that the solver's scratch (on the stack, in the first-level cache) holds.
 inline constexpr std::uint32_t kMaxGuidePoints = 64;
 
+/// Seconds. Hair that would take shorter ones is refused: it would stand still, as floats would not
+/// tell what moves it in that time, and a frame would last for ever.
+inline constexpr float kShortestSubstep = 1.0f / 20000;
+
 /// What one guide needs to stay where it was groomed; per linear density, so lengths stand for
 /// masses. Symbols as in GuideStrands.
 struct RestShape {
   std::array<float, kMaxGuidePoints> linkLength{}, stiffness{}, mass{}, tension{};
   std::array<glm::vec3, kMaxGuidePoints> curvature{};  ///< c_i, (normal, binormal, tangent)
   float longestSubstep = 0;  ///< seconds, in which floats still solve its bending
+  /// Of each link m l³ / g, s² m, with m the lighter of its ends and g the torque that it carries
+  /// at rest: what GuideStrands::longestSubstep goes by.
+  std::array<float, kMaxGuidePoints> borne{};
 };
 
 /// Rest lengths, masses, joint stiffness and rest curvatures of a guide with these points (head

@@ -294,12 +294,6 @@ namespace {
 
 HWY_EXPORT(stepGroups);
 
-// Far from the origin the floats of a substep would swallow small movements, and hair would stick
-// where it is: positions count from a place near the head then, a multiple of 16 m.
-glm::vec3 originFor(const RigidTransform& worldFromHead) {
-  return 16.0f * glm::round(worldFromHead.translation / 16.0f);
-}
-
 void shift(GuideStrands& guides, glm::vec3 by) {
   if (by == glm::vec3(0)) return;
   for (LaneVec3& p : guides.position) p = {p.x + by.x, p.y + by.y, p.z + by.z};
@@ -361,12 +355,12 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
   require(capsules == motion.capsulesBefore.size() && capsules <= kMaxCapsules,
           "stepGuides: ", motion.capsulesBefore.size(), " capsules before and ", capsules,
           " after; they must be as many, at most ", kMaxCapsules);
-  const float longest = std::min(settings.substep, guides.longestSubstep());
+  const float longest = std::min(settings.substep, guides.longestSubstep(motion.worldFromHead));
   const auto substeps =
       std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(seconds / longest - 1e-3f)));
   const float h = seconds / static_cast<float>(substeps);
   factorBending(guides, h, settings.bendDamping, workspace.bending);
-  const glm::vec3 origin = originFor(motion.worldFromHead);
+  const glm::vec3 origin = stepOrigin(motion.worldFromHead);
   cutFrame(motion, origin, guides.worldFromHead, settings.skin, substeps, workspace);
   shift(guides, -origin);
   parallelFor(guides.groupCount(), 1, [&](std::size_t begin, std::size_t end) {

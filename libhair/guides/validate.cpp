@@ -49,10 +49,18 @@ void validatePush(std::span<const LaneVec3> push) {
     require(bad[l] == 0, "stepGuides: a push is not finite, or beyond 1e6 m/s^2");
 }
 
+float floatSpacing(float metres) {
+  return std::nextafter(metres, INFINITY) - metres;
+}
+
+glm::vec3 stepOrigin(const RigidTransform& worldFromHead) {
+  return 16.0f * glm::round(worldFromHead.translation / 16.0f);
+}
+
 void requirePrecision(const GuideStrands& guides, const RigidTransform& worldFromHead) {
   const glm::vec3 at = glm::abs(worldFromHead.translation);
   const float farthest = std::max({at.x, at.y, at.z}) + guides.reach();
-  const float spacing = std::nextafter(farthest, INFINITY) - farthest;
+  const float spacing = floatSpacing(farthest);
   // Each coordinate of both ends is off by half of that at most: sqrt(3) of it along a link.
   require(1.74f * spacing <= 0.01f * guides.shortestLink(), "guides: ", farthest,
           " m from the origin floats are ", spacing, " m apart, too coarse for links of ",

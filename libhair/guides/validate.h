@@ -19,6 +19,13 @@ void validate(std::span<const Capsule> capsules);
 /// Accelerations of any size below 1e6 m/s².
 void validatePush(std::span<const LaneVec3> push);
 
+/// Between two floats next to each other, metres.
+float floatSpacing(float metres);
+
+/// Far from the origin the floats of a substep would swallow small movements, and hair would stick
+/// where it is: positions in it count from a place near the head then, a multiple of 16 m.
+glm::vec3 stepOrigin(const RigidTransform& worldFromHead);
+
 /// World positions are floats: the farther from the origin, the farther apart. Refuses a head where
 /// rounding alone would stretch a link by more than a hundredth: 2 cm links beyond 1 km, 1 mm links
 /// beyond 64 m. The way out is an origin that is nearer (moveOrigin).

@@ -16,11 +16,31 @@ namespace {
 constexpr float kStretchPromised = 1e-3f, kStretchAtExtremes = 1e-2f;
 constexpr double kRecovered = 1e-2;      // of a strand's length
 constexpr double kLongestRecovery = 10;  // seconds that are waited for
+constexpr double kSubstep = 1.0 / 480;   // of calm frames, seconds
 constexpr glm::vec3 kGravity{0, -9.81f, 0};
 constexpr int kCalmFrames = 30;  // where nothing is waited for
 
 bool finite(glm::vec3 p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+bool pushed(const Hair& hair) {
+  return std::ranges::any_of(hair.repulsion.push, [](const LaneVec3& p) {
+    for (std::size_t l = 0; l < kLanes; ++l)
+      if (lane(p, l) != glm::vec3(0)) return true;
+    return false;
+  });
+}
+
+/// Whether bends can hold the groom: no two directions differ by more than 2, so rest curvatures
+/// beyond that are a torque without a bend, as in a wound-up string, and hold hair in other places
+/// too.
+bool held(const GuideStrands& guides) {
+  return std::ranges::none_of(guides.curvature, [](const LaneVec3& c) {
+    for (std::size_t l = 0; l < kLanes; ++l)
+      if (glm::length(lane(c, l)) > 2) return true;
+    return false;
+  });
 }
 
 /// What work can all that disturbs the hair have done, by the laws of motion? As the speed (root
@@ -52,7 +72,8 @@ class SpeedBound {
     air_ = std::max(air_, 2 * speed);
     push(2 * drag * speed);
   }
-  /// Each point is somewhere within the spacing of floats, and bent as if it had been put there.
+  /// Each point is somewhere within the spacing of floats, bent as if it had been put there and as
+  /// fast as if it had come from there.
   void rounding(const GuideStrands& guides) {
     const glm::vec3 at = glm::abs(guides.worldFromHead.translation);
     const float far = std::max({at.x, at.y, at.z}) + guides.reach();
@@ -60,8 +81,9 @@ class SpeedBound {
     double stiffest = 0;
     for (const Lanes& kappa : guides.jointStiffness)
       stiffest = std::max(stiffest, static_cast<double>(kappa[0]));
-    const double bend = 2 * spacing / guides.shortestLink();
+    const double bend = 2 * spacing / guides.shortestLink(), speed = spacing / kSubstep;
     lent_ += guides.linksPerGuide() * stiffest * bend * bend / scene_.strandLength();
+    lent_ += 1.5 * speed * speed;
   }
   double value() const {
     // A thousandth of a fall's speed is no matter of work.
@@ -155,11 +177,7 @@ class Run {
   void checkGrowth(const Hair& hair, const Inputs& in, int frame) {
     const double energy = energyOf(hair.guides, in.head, in.seconds, kGravity);
     const double lift = 9.81 * scene_.strandLength();
-    if (!std::ranges::any_of(hair.repulsion.push, [](const LaneVec3& p) {
-          for (std::size_t l = 0; l < kLanes; ++l)
-            if (lane(p, l) != glm::vec3(0)) return true;
-          return false;
-        }))
+    if (!pushed(hair))
       out_.growth = std::max(out_.growth, (energy - least_) / lift);
     else
       least_ = INFINITY;
@@ -185,7 +203,8 @@ class Run {
     Inputs in = scene_.calm();
     if (setup_.badField) return settle(in, hair);
     const double promised = scene_.promisedRecovery();
-    const bool asked = promised > 0 && promised <= kLongestRecovery && out_.refused.empty();
+    const bool asked =
+        promised > 0 && promised <= kLongestRecovery && out_.refused.empty() && held(hair.guides);
     const int frames = asked ? static_cast<int>(std::ceil(promised * 60)) : kCalmFrames;
     Hair twin(groom_, in.settings, in.body());
     FrameProfile unused{};
@@ -205,6 +224,8 @@ class Run {
       if (f - last > 30 && away < 0.25 * kRecovered) break;
     }
     if (!asked) return;
+    // Hair that rests on hair has more than one way to do so.
+    if (away > kRecovered && (pushed(hair) || pushed(twin))) return;
     out_.recovery = last / 60.0;
     if (away > kRecovered)
       fail("after ", promised, " s still ", 100 * away, " % of a strand's length away");

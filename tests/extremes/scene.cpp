@@ -139,9 +139,10 @@ double Scene::promisedRecovery() const {
   const float far = std::max({at.x, at.y, at.z}) + reach();
   const float spacing = std::nextafter(far, INFINITY) - far;
   if (setup_.body != Body::None || !(g.airDrag > 0) || spacing > 1e-3f * shortest_) return 0;
-  // The slowest swing of a hanging chain, x'' + drag x' + omega² x = 0 with omega² = (j / 2)² g / L
-  // and j = 2.405 the first zero of J0; bending only makes it faster, but for its own damping.
-  const double omega2 = 1.446 * 9.81 / length_, half = 0.5 * g.airDrag;
+  // The slowest swing, x'' + drag x' + omega² x = 0 with omega² = g / L, of a strand of one link;
+  // chains and bending only make it faster (a long chain has 1.446 g / L), but for bending's
+  // damping.
+  const double omega2 = 9.81 / length_, half = 0.5 * g.airDrag;
   const double rate = half - std::sqrt(std::max(half * half - omega2, 0.0));
   // From the other side, two lengths away, to a hundredth; and half of that again, as large swings
   // are slower and gravity first has to find them.

@@ -117,7 +117,7 @@ Groom hanging(const std::vector<float>& links) {
 TEST(GuideDoors, JointsTooStiffForFloatsTakeShorterSubstepsOrAreRefused) {
   const GuideSettings settings;
   const auto longest = [&](float link) {
-    return GuideStrands(hanging(std::vector<float>(15, link)), settings).longestSubstep();
+    return GuideStrands(hanging(std::vector<float>(15, link)), settings).longestSubstep({});
   };
   EXPECT_GT(longest(0.02f), 1.0f);
   EXPECT_GT(longest(2e-4f), settings.substep);
@@ -130,7 +130,7 @@ TEST(GuideDoors, JointsTooStiffForFloatsTakeShorterSubstepsOrAreRefused) {
   GuideWorkspace workspace;
   for (int f = 0; f < 6; ++f) {
     stepGuides({}, settings, 1.0f / 60, workspace, guides);
-    EXPECT_LE(workspace.bending.substep, guides.longestSubstep());
+    EXPECT_LE(workspace.bending.substep, guides.longestSubstep({}));
   }
 }
 
