@@ -16,6 +16,7 @@ double beyondExplicit(const GuideStrands& guides, std::size_t group, std::size_t
   const float rest = guides.restTension[at][lane];
   const float held = rest > bears ? rest : 0.0f;
   out.mostTension[at][lane] = bears + held;
+  out.mostCompression[at][lane] = bears;
   return held;
 }
 
@@ -61,7 +62,8 @@ void factorBending(const GuideStrands& guides, float substep, float bendDamping,
   factors.substep = substep;
   factors.damping = damping;
   for (auto* f : {&factors.inverseD, &factors.below1, &factors.below2}) f->assign(size, Lanes{});
-  factors.mostTension.assign(guides.restTension.size(), Lanes{});
+  for (auto* f : {&factors.mostTension, &factors.mostCompression})
+    f->assign(guides.restTension.size(), Lanes{});
   for (std::size_t g = 0; g < guides.groupCount(); ++g)
     for (std::size_t l = 0; l < kLanes; ++l) factorLane(guides, g, l, substep, factors);
 }

@@ -26,12 +26,13 @@ namespace hair {
 /// h² / m then moves by w / (1 + w) of its force, below 1 whatever T is, and slow modes, w << 1, as
 /// before.
 struct BendingFactors {
-  float substep = 0;               ///< h they were made for, seconds
-  float damping = 0;               ///< bendDamping / h they were made for
-  std::vector<Lanes> inverseD;     ///< [groupCount · pointsPerGuide]; point 0 is the fixed root
-  std::vector<Lanes> below1;       ///< L(i, i - 1)
-  std::vector<Lanes> below2;       ///< L(i, i - 2)
-  std::vector<Lanes> mostTension;  ///< [groupCount · linksPerGuide], m²/s²
+  float substep = 0;            ///< h they were made for, seconds
+  float damping = 0;            ///< bendDamping / h they were made for
+  std::vector<Lanes> inverseD;  ///< [groupCount · pointsPerGuide]; point 0 is the fixed root
+  std::vector<Lanes> below1;    ///< L(i, i - 1)
+  std::vector<Lanes> below2;    ///< L(i, i - 2)
+  /// [groupCount · linksPerGuide], m²/s²; compression has no rest tension to be held by.
+  std::vector<Lanes> mostTension, mostCompression;
 };
 
 /// Makes the factors unless they are there for this substep and damping (seconds) already. One set

@@ -85,18 +85,24 @@ void holdAgainstGravity(std::span<const glm::vec3> points, glm::vec3 rootNormal,
   }
 }
 
-// A bending system has the entries m / h² of mass and kappa / l² of stiffness: where the second is
-// R = kappa h² / (m l²) times the first, sums of both lose as many digits of what gravity and
-// motion do. Floats have seven; R counts the stiffest mode of a strand, and what matters of it is
-// less. Measured (hair-extremes): with R up to 1e9 hair rests and keeps its energy, with 1e10 it
-// does not.
+// A bending system has entries m / h² of mass and kappa / l² of stiffness, and loses digits of what
+// is soft beside what is stiff. With kappa of a joint, s and b the shorter and the longer link at
+// it and m the mass of its point, the stiff kappa / s² stands beside the soft m / h² + kappa / b²:
+//     C = (kappa / s²) / (m / h² + kappa / b²)
+// is 1 at most where links are even, and (b / s)² where they are not. Floats have 7 digits.
+// Measured on a link of 0.02 mm between two of 2 cm: strands rest where C is 6e4, and shake where
+// it is 2e5. And links as even as may be are bent by rounding alone where kappa h² / (m l²) is 1e10
+// (measured).
 float longestSubstep(const RestShape& rest, std::size_t links, std::size_t guide) {
-  constexpr float kMostRatio = 1e9f;
+  constexpr float kMostUneven = 3e4f, kMostEven = 1e9f;
   float longest = INFINITY;
   for (std::size_t i = 0; i < links; ++i) {
     const float next = rest.linkLength[i], before = i > 0 ? rest.linkLength[i - 1] : next;
-    const float joint = 0.5f * (i > 0 ? before + next : next), arm = std::min(before, next);
-    const float h = arm * std::sqrt(kMostRatio * joint / rest.stiffness[i]);
+    const float s = std::min(before, next), b = std::max(before, next);
+    const float kappa = rest.stiffness[i], joint = 0.5f * (i > 0 ? before + next : next);
+    const float least =
+        std::max(kappa / (s * s) / kMostUneven - kappa / (b * b), kappa / (s * s) / kMostEven);
+    const float h = std::sqrt(joint / std::max(least, 1e-20f));
     require(h >= kShortestSubstep, "groom: guide ", guide, " link ", i, " of ", next,
             " m is too short for its stiffness: it would take substeps of ", h, " s, below ",
             kShortestSubstep, "; take longer or more even links, or less bendingStiffness");

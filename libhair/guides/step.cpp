@@ -21,7 +21,7 @@ struct Group {
   LaneVec3 *position, *velocity;
   Lanes* tension;
   const LaneVec3 *restPosition, *push;
-  const Lanes *mass, *inverseMass, *linkLength, *mostTension, *clearance;
+  const Lanes *mass, *inverseMass, *linkLength, *mostTension, *mostCompression, *clearance;
   RootFrame rest;
   BendingGroup bending;
   bool uneven;
@@ -31,8 +31,11 @@ struct Group {
 // they would no longer balance, and throw light points between a short link and a long one.
 HWY_NOINLINE void scaleTensions(const Group& g) {
   Floats share = 1.0f;
-  for (std::uint32_t i = 0; i + 1 < g.points; ++i)
-    share = min(share, Floats(g.mostTension[i]) / max(abs(Floats(g.tension[i])), Floats(1e-20f)));
+  for (std::uint32_t i = 0; i + 1 < g.points; ++i) {
+    const Floats t = g.tension[i];
+    const Floats most = select(t > Floats(0.0f), Floats(g.mostTension[i]), g.mostCompression[i]);
+    share = min(share, most / max(abs(t), Floats(1e-20f)));
+  }
   for (std::uint32_t i = 0; i + 1 < g.points; ++i)
     store(share * Floats(g.tension[i]), g.tension[i]);
 }
@@ -85,8 +88,8 @@ HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Win
   // does the rest.
   if (g.uneven) scaleTensions(g);
   const auto pullOf = [&](std::uint32_t i) HWY_ATTR {
-    const Floats most = g.mostTension[i];
-    const Floats tension = max(min(Floats(g.tension[i]), most), -most);
+    const Floats tension =
+        max(min(Floats(g.tension[i]), g.mostTension[i]), -Floats(g.mostCompression[i]));
     store(tension, g.tension[i]);
     return tension * s.directions[i];
   };
@@ -259,6 +262,7 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
         &guides.inverseMass[p],
         &guides.linkLength[l],
         &factors.mostTension[l],
+        &factors.mostCompression[l],
         &guides.clearance[p],
         {guides.rootTangent[k], guides.rootNormal[k]},
         {n, &guides.curvature[l], &guides.jointStiffness[l], &guides.inverseLength[l],

@@ -36,10 +36,14 @@ class DensityLookup {
     }
     Vec3 gradient;
     sample(p, density, gradient);
+    // The square of the gradient in cells of 0.01 mm is beyond floats. A power of two costs no
+    // digit.
+    constexpr float kSmall = 0x1p-32f;
+    gradient = Floats(kSmall) * gradient;
     // Where density hardly changes across a cell there is no way out: push less.
     const float cellSize = map_.settings.cellSize;
     const Floats across = Floats(cellSize) * length(gradient);
-    const Floats steepness = across / (across + Floats(0.1f) * density + Floats(1e-20f));
+    const Floats steepness = across / (across + Floats(0.1f * kSmall) * density + Floats(1e-30f));
     direction = select(across > Floats(0.0f), (Floats(-cellSize) / across * steepness) * gradient,
                        Vec3(glm::vec3(0)));
   }
