@@ -89,7 +89,7 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
     longestSubstep_ = std::min(longestSubstep_, rest.longestSubstep);
     const auto [least, most] =
         std::minmax_element(rest.linkLength.begin(), rest.linkLength.begin() + links);
-    if (*most > 4 * *least) uneven[group] = 1;
+    if (*most > kEven * *least) uneven[group] = 1;
   }
   reset(worldFromHead_);
 }

@@ -90,8 +90,7 @@ class GuideStrands {
   std::vector<Lanes> pointMass;    ///< [groupCount · pointsPerGuide], per linear density (metres)
   std::vector<Lanes> inverseMass;  ///< [groupCount · pointsPerGuide], 1 / pointMass; root: 0
   std::vector<Lanes> clearance;    ///< [groupCount · pointsPerGuide], least distance to the head
-  /// [groupCount], whether links of a strand differ by more than 4 times: then what one of them may
-  /// pull is no measure of what the next one may.
+  /// [groupCount], whether a strand has uneven links (kEven).
   std::vector<std::uint8_t> uneven;
 
  private:

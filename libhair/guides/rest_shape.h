@@ -12,6 +12,10 @@ namespace hair {
 /// Longest guide that the solver's scratch (on the stack, in the first-level cache) holds.
 inline constexpr std::uint32_t kMaxGuidePoints = 64;
 
+/// Links of a strand that differ by more are uneven: what one of them may pull is then no measure
+/// of what the next one may.
+inline constexpr float kEven = 4;
+
 /// Seconds. Hair that would take shorter ones is refused: it would stand still, as floats would not
 /// tell what moves it in that time, and a frame would last for ever.
 inline constexpr float kShortestSubstep = 1.0f / 20000;
