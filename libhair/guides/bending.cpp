@@ -6,14 +6,15 @@ namespace hair {
 
 namespace {
 
-// Says what link i may pull; returns its rest tension where the system must hold it, else 0.
+// Says what link i may pull; returns its tension under this weight where the system must hold it,
+// else 0.
 double beyondExplicit(const GuideStrands& guides, std::size_t group, std::size_t lane,
                       std::size_t i, double h, BendingFactors& out) {
   const std::size_t n = guides.pointsPerGuide(), at = group * (n - 1) + i;
   const auto step = static_cast<float>(h);
   const float bears = 0.25f / (step * step) * guides.pointMass[group * n + i + 1][lane] *
                       guides.linkLength[at][lane];
-  const float rest = guides.restTension[at][lane];
+  const float rest = out.weight * guides.restTension[at][lane];
   const float held = rest > bears ? rest : 0.0f;
   out.mostTension[at][lane] = bears + held;
   out.mostCompression[at][lane] = bears;
@@ -53,14 +54,16 @@ void factorLane(const GuideStrands& guides, std::size_t group, std::size_t lane,
 
 }  // namespace
 
-void factorBending(const GuideStrands& guides, float substep, float bendDamping,
+void factorBending(const GuideStrands& guides, float substep, float bendDamping, float weight,
                    BendingFactors& factors) {
   const float damping = bendDamping / substep;
   const std::size_t size = guides.groupCount() * guides.pointsPerGuide();
-  if (factors.substep == substep && factors.damping == damping && factors.inverseD.size() == size)
+  if (factors.substep == substep && factors.damping == damping && factors.weight == weight &&
+      factors.inverseD.size() == size)
     return;
   factors.substep = substep;
   factors.damping = damping;
+  factors.weight = weight;
   for (auto* f : {&factors.inverseD, &factors.below1, &factors.below2}) f->assign(size, Lanes{});
   for (auto* f : {&factors.mostTension, &factors.mostCompression})
     f->assign(guides.restTension.size(), Lanes{});

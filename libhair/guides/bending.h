@@ -28,6 +28,7 @@ namespace hair {
 struct BendingFactors {
   float substep = 0;            ///< h they were made for, seconds
   float damping = 0;            ///< bendDamping / h they were made for
+  float weight = 0;             ///< of the hair, of that at rest, >= 1
   std::vector<Lanes> inverseD;  ///< [groupCount · pointsPerGuide]; point 0 is the fixed root
   std::vector<Lanes> below1;    ///< L(i, i - 1)
   std::vector<Lanes> below2;    ///< L(i, i - 2)
@@ -35,9 +36,9 @@ struct BendingFactors {
   std::vector<Lanes> mostTension, mostCompression;
 };
 
-/// Makes the factors unless they are there for this substep and damping (seconds) already. One set
-/// of factors goes with one GuideStrands.
-void factorBending(const GuideStrands& guides, float substep, float bendDamping,
+/// Makes the factors unless they are there for this substep and damping (seconds) and this weight
+/// of the hair, of that at rest, already. One set of factors goes with one GuideStrands.
+void factorBending(const GuideStrands& guides, float substep, float bendDamping, float weight,
                    BendingFactors& factors);
 
 }  // namespace hair

@@ -35,7 +35,9 @@ void validate(const GuideSettings& s) {
 
 GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
                            const RigidTransform& worldFromHead_, const MeshSdf* head)
-    : guideCount_(groom.guideCount()), points_(groom.pointsPerGuide) {
+    : guideCount_(groom.guideCount()),
+      points_(groom.pointsPerGuide),
+      restGravity_(glm::length(settings.gravity)) {
   validate(settings);
   require(guideCount_ > 0, "groom: no guides");
   require(points_ >= 2 && points_ <= kMaxGuidePoints, "groom: ", points_,

@@ -53,6 +53,7 @@ class GuideStrands {
   float shortestLink() const { return shortestLink_; }  ///< metres
   /// How far from the head's joint a point can be, as no link stretches, metres.
   float reach() const { return reach_; }
+  float restGravity() const { return restGravity_; }  ///< that its rest shape holds against, m/s²
   /// What substep its shortest and stiffest joints bear on a head at `worldFromHead`, seconds;
   /// stepGuides takes none longer. Rounding turns a link by r / l, with r the spacing of floats,
   /// and with it the torque g that it carries: its ends, of mass m, are thrown by g r h² / (m l²),
@@ -97,6 +98,7 @@ class GuideStrands {
   std::size_t guideCount_;
   std::uint32_t points_;
   float shortestLink_ = INFINITY, reach_ = 0, longestSubstep_ = INFINITY;
+  float restGravity_;
   float leastBorne_ = INFINITY;  ///< of RestShape::borne
   std::size_t weakestGuide_ = 0, weakestLink_ = 0;
 };

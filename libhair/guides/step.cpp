@@ -363,7 +363,8 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
   const auto substeps =
       std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(seconds / longest - 1e-3f)));
   const float h = seconds / static_cast<float>(substeps);
-  factorBending(guides, h, settings.bendDamping, workspace.bending);
+  const float weight = glm::length(settings.gravity) / std::max(guides.restGravity(), 1e-3f);
+  factorBending(guides, h, settings.bendDamping, std::max(weight, 1.0f), workspace.bending);
   const glm::vec3 origin = stepOrigin(motion.worldFromHead);
   cutFrame(motion, origin, guides.worldFromHead, settings.skin, substeps, workspace);
   shift(guides, -origin);

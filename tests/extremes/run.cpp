@@ -15,7 +15,9 @@ namespace {
 
 constexpr float kStretchPromised = 1e-3f, kStretchAtExtremes = 1e-2f;
 constexpr double kRecovered = 1e-2;      // of a strand's length
-constexpr double kGrowth = 0.02;         // of a fall by a strand's length
+constexpr double kGrowth = 0.15;         // of a fall by a strand's length
+constexpr double kGrowthBeside = 0.5;    // the same beside colliders, which put hair out of them
+constexpr int kHalfSecond = 30;          // calm frames
 constexpr double kLongestRecovery = 10;  // seconds that are waited for
 constexpr double kSubstep = 1.0 / 480;   // of calm frames, seconds
 constexpr glm::vec3 kGravity{0, -9.81f, 0};
@@ -73,6 +75,16 @@ class SpeedBound {
     air_ = std::max(air_, 2 * speed);
     push(2 * drag * speed);
   }
+  /// A point inside a collider is put out of it within a substep, by its diameter at most, and goes
+  /// along with it.
+  void colliders(const std::vector<Capsule>& before, const Inputs& in) {
+    const double h = std::min(in.settings.guides.substep, in.seconds);
+    for (std::size_t c = 0; c < in.capsules.size(); ++c) {
+      const Capsule &was = before[c], &is = in.capsules[c];
+      const double way = std::max(glm::distance(was.a, is.a), glm::distance(was.b, is.b));
+      put_ = std::max(put_, 2 * std::max(was.radius, is.radius) / h + way / in.seconds);
+    }
+  }
   /// Each point is somewhere within the spacing of floats, bent as if it had been put there and as
   /// fast as if it had come from there.
   void rounding(const GuideStrands& guides) {
@@ -88,7 +100,7 @@ class SpeedBound {
   }
   double value() const {
     // A thousandth of a fall's speed is no matter of work.
-    return given_ + spin_ + air_ + std::sqrt(2 * lent_) +
+    return given_ + spin_ + air_ + put_ + std::sqrt(2 * lent_) +
            1e-3 * std::sqrt(9.81 * scene_.strandLength());
   }
 
@@ -96,7 +108,7 @@ class SpeedBound {
   const Scene& scene_;
   glm::dvec3 v_{0}, w_{0};
   glm::vec3 g_ = kGravity;
-  double given_ = 0, spin_ = 0, air_ = 0, lent_ = 0;
+  double given_ = 0, spin_ = 0, air_ = 0, put_ = 0, lent_ = 0;
 };
 
 class Run {
@@ -137,6 +149,7 @@ class Run {
 
   void disturb(const Inputs& start, Hair& hair) {
     RigidTransform before = start.head;
+    std::vector<Capsule> capsules = start.capsules;
     restEnergy_ = energyOf(hair.guides, start.head, 1, kGravity);
     bound_.rounding(hair.guides);
     for (int f = 1; f <= kDisturbed; ++f) {
@@ -156,9 +169,9 @@ class Run {
       bound_.gravity(in.settings.guides.gravity);
       bound_.wind(glm::length(in.settings.wind.velocity), in.settings.guides.airDrag);
       if (in.settings.selfCollision) bound_.push(in.settings.repulsion.limit);
-      // Inside a collider hair is put out of it at once; that is not a matter of energy.
-      if (setup_.body == Body::None && !setup_.badField)
-        checkEnergy(hair, before, in, bound_.value(), f);
+      bound_.colliders(capsules, in);
+      if (!setup_.badField) checkEnergy(hair, before, in, bound_.value(), f);
+      capsules = in.capsules;
       before = in.head;
     }
   }
@@ -180,12 +193,13 @@ class Run {
     const double lift = 9.81 * scene_.strandLength();
     // A joint that is folded over has no frame to carry on, and its energy is that of another way
     // to unfold: that takes more than a fall.
-    const bool fallen = least_ < restEnergy_ + lift;
-    if (pushed(hair)) least_ = INFINITY;
+    const bool fallen = least_ < restEnergy_ + lift, push = pushed(hair);
+    if (push || pushed_ || !held(hair.guides)) least_ = INFINITY;
+    pushed_ = push;
     if (fallen && least_ < INFINITY) {
       const double growth = (energy - least_) / lift;
       out_.growth = std::max(out_.growth, growth);
-      if (growth > kGrowth)
+      if (growth > (setup_.body == Body::None ? kGrowth : kGrowthBeside))
         fail("energy grows by ", growth, " of a fall in frame ", frame, ", left alone");
     }
     least_ = std::min(least_, energy);
@@ -214,7 +228,7 @@ class Run {
     const int frames = asked ? static_cast<int>(std::ceil(promised * 60)) : kCalmFrames;
     Hair twin(groom_, in.settings, in.body());
     FrameProfile unused{};
-    int last = 0;
+    int last = 0, lastPush = -kHalfSecond;
     double away = 0;
     bound_.head(in.head, in.head, in.seconds);
     bound_.gravity(kGravity);
@@ -225,13 +239,14 @@ class Run {
       check(in, hair, kDisturbed + f);
       away = distance(hair, twin);
       if (!(away <= kRecovered)) last = f;
-      if (setup_.body == Body::None) checkEnergy(hair, in.head, in, bound_.value(), kDisturbed + f);
+      if (pushed(hair) || pushed(twin)) lastPush = f;
+      checkEnergy(hair, in.head, in, bound_.value(), kDisturbed + f);
       if (f > 1) checkGrowth(hair, in, kDisturbed + f);
       if (f - last > 30 && away < 0.25 * kRecovered) break;
     }
     if (!asked) return;
     // Hair that rests on hair has more than one way to do so.
-    if (away > kRecovered && (pushed(hair) || pushed(twin))) return;
+    if (away > kRecovered && frames - lastPush < kHalfSecond) return;
     out_.recovery = last / 60.0;
     if (away > kRecovered)
       fail("after ", promised, " s still ", 100 * away, " % of a strand's length away");
@@ -268,6 +283,7 @@ class Run {
   Scene scene_;
   SpeedBound bound_;
   double restEnergy_ = 0, least_ = INFINITY;
+  bool pushed_ = true;
   Outcome& out_;
   Groom groom_;
   FrameProfile profile_{};
