@@ -88,16 +88,16 @@ void holdAgainstGravity(std::span<const glm::vec3> points, glm::vec3 rootNormal,
 // Tension T is stable in explicit steps of h² <= m l / T, with the lateral stiffness 4 T / l of a
 // chain. The bending system holds the rest tension of short links whatever h is (BendingFactors),
 // but nothing holds what is more, or what pushes where gravity has turned: strands of uneven links
-// take steps in which that is half as much. Below 1/4000 s floats could not tell a slow swing.
+// take steps in which that is a tenth. Below 1/6000 s floats could not tell a slow swing.
 float longestUnderTension(const RestShape& rest, std::size_t links) {
   const auto [least, most] =
       std::minmax_element(rest.linkLength.begin(), rest.linkLength.begin() + links);
   if (*most <= kEven * *least) return INFINITY;
   float h2 = INFINITY;
   for (std::size_t i = 0; i < links; ++i)
-    h2 = std::min(h2, 0.5f * rest.mass[i + 1] * rest.linkLength[i] /
+    h2 = std::min(h2, 0.1f * rest.mass[i + 1] * rest.linkLength[i] /
                           std::max(std::abs(rest.tension[i]), 1e-20f));
-  return std::max(std::sqrt(h2), 1.0f / 4000);
+  return std::max(std::sqrt(h2), 1.0f / 6000);
 }
 
 // A bending system has entries m / h² of mass and kappa / l² of stiffness, and loses digits of what

@@ -17,6 +17,7 @@ constexpr float kStretchPromised = 1e-3f, kStretchAtExtremes = 1e-2f;
 constexpr double kRecovered = 1e-2;      // of a strand's length
 constexpr double kGrowth = 0.15;         // of a fall by a strand's length
 constexpr double kGrowthBeside = 0.5;    // the same beside colliders, which put hair out of them
+constexpr double kRounds = 3;            // so often a substep looks for colliders again
 constexpr int kHalfSecond = 30;          // calm frames
 constexpr double kLongestRecovery = 10;  // seconds that are waited for
 constexpr double kSubstep = 1.0 / 480;   // of calm frames, seconds
@@ -75,15 +76,26 @@ class SpeedBound {
     air_ = std::max(air_, 2 * speed);
     push(2 * drag * speed);
   }
-  /// A point inside a collider is put out of it within a substep, by its diameter at most, and goes
-  /// along with it.
+  /// A point inside a collider is put out of it within a substep, by its diameter at most, maybe
+  /// into another, and goes along with it.
   void colliders(const std::vector<Capsule>& before, const Inputs& in) {
     const double h = std::min(in.settings.guides.substep, in.seconds);
     for (std::size_t c = 0; c < in.capsules.size(); ++c) {
       const Capsule &was = before[c], &is = in.capsules[c];
       const double way = std::max(glm::distance(was.a, is.a), glm::distance(was.b, is.b));
-      put_ = std::max(put_, 2 * std::max(was.radius, is.radius) / h + way / in.seconds);
+      const double across = 2 * (std::max(was.radius, is.radius) + in.settings.guides.skin);
+      put_ = std::max(put_, kRounds * across / h + way / in.seconds);
     }
+  }
+  /// Colliders may bend every joint right over.
+  void bent(const GuideStrands& guides) {
+    double most = 0, c = 0;
+    for (std::size_t k = 0; k < guides.curvature.size(); ++k)
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        most = std::max(most, static_cast<double>(guides.jointStiffness[k][l]));
+        c = std::max(c, static_cast<double>(glm::length(lane(guides.curvature[k], l))));
+      }
+    lent_ += 0.5 * guides.linksPerGuide() * most * (2 + c) * (2 + c) / scene_.strandLength();
   }
   /// Each point is somewhere within the spacing of floats, bent as if it had been put there and as
   /// fast as if it had come from there.
@@ -152,6 +164,7 @@ class Run {
     std::vector<Capsule> capsules = start.capsules;
     restEnergy_ = energyOf(hair.guides, start.head, 1, kGravity);
     bound_.rounding(hair.guides);
+    if (setup_.body != Body::None) bound_.bent(hair.guides);
     for (int f = 1; f <= kDisturbed; ++f) {
       const Inputs in = inputs(f, start);
       if (in.push != glm::vec3(0) && !hair.repulsion.push.empty())

@@ -150,7 +150,7 @@ TEST(GuideParts, BendingSolvesItsImplicitSystem) {
   GuideStrands guides(crooked(), settings);
   BendingFactors factors;
   const float h = 1.0f / 480;
-  factorBending(guides, h, settings.bendDamping, factors);
+  factorBending(guides, h, settings.bendDamping, 1, factors);
   std::vector<LaneVec3> x = guides.position, force(kPoints), directions(kLinks);
   for (std::uint32_t i = 0; i < kPoints; ++i)
     for (std::uint32_t l = 0; l < kLanes; ++l) {
