@@ -5,6 +5,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/guides/measure.h>
+#include <libhair/guides/validate.h>
 
 #include "energy.h"
 #include "scene.h"
@@ -45,6 +46,15 @@ bool held(const GuideStrands& guides) {
       if (glm::length(lane(c, l)) > 2) return true;
     return false;
   });
+}
+
+/// A substep adds g h² to a movement: what floats do not tell of it holds hair where it is, here
+/// less than a twentieth.
+bool floatsTellGravity(const GuideStrands& guides) {
+  const RigidTransform& head = guides.worldFromHead;
+  const glm::vec3 at = glm::abs(head.translation - stepOrigin(head));
+  const double h = std::min(kSubstep, static_cast<double>(guides.longestSubstep(head)));
+  return floatSpacing(std::max({at.x, at.y, at.z}) + guides.reach()) < 0.1 * 9.81 * h * h;
 }
 
 /// What work can all that disturbs the hair have done, by the laws of motion? As the speed (root
@@ -236,8 +246,8 @@ class Run {
     Inputs in = scene_.calm();
     if (setup_.badField) return settle(in, hair);
     const double promised = scene_.promisedRecovery();
-    const bool asked =
-        promised > 0 && promised <= kLongestRecovery && out_.refused.empty() && held(hair.guides);
+    const bool asked = promised > 0 && promised <= kLongestRecovery && out_.refused.empty() &&
+                       held(hair.guides) && floatsTellGravity(hair.guides);
     const int frames = asked ? static_cast<int>(std::ceil(promised * 60)) : kCalmFrames;
     Hair twin(groom_, in.settings, in.body());
     FrameProfile unused{};
