@@ -14,8 +14,54 @@ namespace hair {
 namespace {
 
 ColliderState collidersOf(const BodyState& body, const MeshSdf* head) {
-  return {body.worldFromHead, body.worldFromHead, body.capsules, body.capsules, head};
+  return {body.worldFromHead, body.worldFromHead, body.capsules, body.capsules, head, body.scenery};
 }
+
+Scenery sceneryBefore(const Hair& hair, const Scenery& now) {
+  Scenery before;
+  if (hair.planes.size() == now.planes.size()) before.planes = hair.planes;
+  if (hair.meshes.size() == now.meshes.size()) before.meshes = hair.meshes;
+  return before;
+}
+
+void keepScenery(const Scenery& scenery, Hair& hair) {
+  hair.planes.assign(scenery.planes.begin(), scenery.planes.end());
+  hair.meshes.assign(scenery.meshes.begin(), scenery.meshes.end());
+}
+
+// Scenery that comes to hair at rest.
+struct GrowingScenery {
+  std::vector<Plane> planes;
+  std::vector<MeshCollider> meshes;
+  Scenery full;
+  std::vector<float> below;  // metres from each plane down to the lowest guide point
+
+  GrowingScenery(const Scenery& scenery, const GuideStrands& guides)
+      : planes(scenery.planes.begin(), scenery.planes.end()),
+        meshes(scenery.meshes.begin(), scenery.meshes.end()),
+        full(scenery) {
+    for (const Plane& plane : planes) {
+      float lowest = 0;
+      for (std::size_t g = 0; g < guides.guideCount(); ++g)
+        for (std::uint32_t i = 0; i < guides.pointsPerGuide(); ++i)
+          lowest = std::min(lowest, distanceAndGradient(plane, guides.point(g, i)).w);
+      below.push_back(-lowest);
+    }
+  }
+  Scenery at(float share) {
+    for (std::size_t p = 0; p < planes.size(); ++p)
+      planes[p].point = full.planes[p].point - (1 - share) * below[p] * planes[p].normal;
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+      // About its middle; a mesh of no size is none.
+      const MeshCollider& whole = full.meshes[m];
+      const glm::vec3 middle = whole.scale * whole.sdf->box().centre();
+      const float size = std::max(share, 0.01f);
+      meshes[m].scale = size * whole.scale;
+      meshes[m].worldFromMesh.translation = whole.worldFromMesh.point((1 - size) * middle);
+    }
+    return {planes, meshes};
+  }
+};
 
 }  // namespace
 
@@ -27,6 +73,8 @@ Hair::Hair(const Groom& groom_, const FrameSettings& settings, const BodyState& 
       wisps(groom_, guides, wispSettings, head_),
       worldFromHead(body.worldFromHead),
       capsules(body.capsules.begin(), body.capsules.end()) {
+  validate(body.scenery);
+  keepScenery(body.scenery, *this);
   if (settings.selfCollision)
     allowRestDensity(strands(), groom->fibre, guides, settings.repulsion, repulsion);
 }
@@ -41,7 +89,7 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
     const std::span<const LaneVec3> push =
         settings.selfCollision ? hair.repulsion.push : std::span<const LaneVec3>{};
     stepGuides({body.worldFromHead, body.capsules, hair.capsules, hair.head, settings.wind,
-                hair.time, push},
+                hair.time, push, body.scenery, sceneryBefore(hair, body.scenery)},
                settings.guides, seconds, hair.workspace, hair.guides);
   }
   {
@@ -55,6 +103,7 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
   }
   hair.worldFromHead = body.worldFromHead;
   hair.capsules.assign(body.capsules.begin(), body.capsules.end());
+  keepScenery(body.scenery, hair);
   hair.time += seconds;
   light(settings, hair, profile);
 }
@@ -94,6 +143,7 @@ void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
 void restart(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair) {
   require(seconds >= 0 && seconds <= 3600, "restart: ", seconds,
           " s to settle are not in 0 to 3600");
+  validate(body.scenery);
   FrameProfile unused{};
   FrameSettings still = settings;
   still.wind = {};
@@ -110,13 +160,16 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
     for (std::size_t c = 0; c < grown.size(); ++c)
       grown[c].radius = share * body.capsules[c].radius;
   };
+  GrowingScenery scenery(body.scenery, hair.guides);
   if (frames > 0) sizeTo(0);
   hair.capsules = grown;
+  keepScenery(frames > 0 ? scenery.at(0) : body.scenery, hair);
   hair.worldFromHead = body.worldFromHead;
   if (frames == 0) interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
   for (int i = 1; i <= frames; ++i) {
     sizeTo(i);
-    frame({body.worldFromHead, grown}, still, 1.0f / 60, hair, unused);
+    const Scenery risen = scenery.at(static_cast<float>(i) / static_cast<float>(frames));
+    frame({body.worldFromHead, grown, risen}, still, 1.0f / 60, hair, unused);
   }
   std::fill(hair.guides.velocity.begin(), hair.guides.velocity.end(), LaneVec3{});
   hair.time = 0;

@@ -41,6 +41,9 @@ struct FrameSettings {
 struct BodyState {
   RigidTransform worldFromHead;
   std::span<const Capsule> capsules;  ///< same count and order in every frame
+  /// Planes and meshes; where there are more or fewer of a kind than in the frame before, those of
+  /// that kind stood where they are.
+  Scenery scenery{};
 };
 
 /// One head of hair over its frames: what the stages hand to each other.
@@ -63,6 +66,8 @@ struct Hair {
   std::vector<std::uint32_t> colours;  ///< [pointCount] sRGB bytes (shadeKajiyaKay); or empty
   RigidTransform worldFromHead;        ///< at the end of the last frame
   std::vector<Capsule> capsules;       ///< body then
+  std::vector<Plane> planes;           ///< scenery then
+  std::vector<MeshCollider> meshes;    ///< scenery then
   double time = 0;                     ///< simulated seconds
   GuideWorkspace workspace;
 
@@ -88,8 +93,9 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
 /// and each has a map; that of a light which is no more is freed.
 void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile);
 
-/// Back to rest on the body, then `seconds` without motion, while the body grows from nothing to
-/// its size: hair groomed through a shoulder finds its way out instead of being thrown out.
+/// Back to rest on the body, then `seconds` without motion, while body and meshes grow from nothing
+/// to their size and planes rise from below all hair: hair groomed through a shoulder finds its way
+/// out instead of being thrown out.
 void restart(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair);
 
 }  // namespace hair

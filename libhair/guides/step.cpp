@@ -6,6 +6,7 @@
 #include <libhair/guides/contact-inl.h>
 #include <libhair/guides/links-inl.h>
 #include <libhair/guides/relaxation-inl.h>
+#include <libhair/guides/scenery-inl.h>
 
 #include <algorithm>
 
@@ -35,6 +36,8 @@ struct Scratch {
   Floats lambda[kMaxGuidePoints], way[kMaxGuidePoints];
   Contact contacts[kMaxGuidePoints];
   NearCapsule near[kMaxCapsules];
+  NearPlane planes[kMaxPlanes];
+  NearMesh meshes[kMaxMeshes];
 };
 
 // Of the links, unit.
@@ -129,6 +132,24 @@ HWY_INLINE void findPlanes(const Group& g, float skin, const Near& near, Surroun
   }
 }
 
+// Every point sees the plane or mesh nearest to it, where that is nearer than what it sees already.
+HWY_NOINLINE NearScenery seeScenery(const Group& g, float skin, const SubstepColliders& colliders,
+                                    Scratch& s) {
+  Vec3 anchors[kAnchoredPoints];
+  findAnchors(g.points, g.restPosition, colliders, anchors);
+  const NearScenery scenery =
+      findScenery(colliders, g.points, s.x, anchors, skin, s.planes, s.meshes);
+  if (scenery.empty()) return scenery;
+  MeshClearance clearance(scenery);
+  for (std::uint32_t i = 1; i < g.points; ++i) {
+    clearance.step(length(s.x[i] - s.x[i - 1]));
+    Contact& contact = s.contacts[i];
+    contact.near =
+        nearerScenery(s.x[i], i, s.way[i], scenery, 0, contact.near, clearance.left, contact.plane);
+  }
+  return scenery;
+}
+
 // Points inside their planes are put on them.
 HWY_INLINE void pushOut(const Group& g, float friction, Scratch& s) {
   for (std::uint32_t i = 1; i < g.points; ++i) {
@@ -149,7 +170,7 @@ HWY_INLINE void pushOut(const Group& g, float friction, Scratch& s) {
 // True if one is inside another collider by now. The skin is for comfort: a point pinched between
 // two colliders has to do with a third of it.
 HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surroundings& around,
-                          Scratch& s) {
+                          const NearScenery& scenery, Scratch& s) {
   const Look how{kSight, skin * (2.0f / 3.0f)};
   bool again = false;
   for (std::uint32_t i = 1; i < g.points; ++i) {
@@ -164,6 +185,11 @@ HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surrou
         nearestPlane(s.x[i], i, s.way[i], g.clearance[i], around, how, s.clear[i], plane);
     s.clear[i].body = s.clear[i].body - Floats(how.slack);
     s.clear[i].head = s.clear[i].head - Floats(how.slack);
+    if (!scenery.empty()) {
+      Floats unknown = 0.0f;
+      s.contacts[i].near = nearerScenery(s.x[i], i, s.way[i], scenery, how.slack,
+                                         s.contacts[i].near, unknown, plane);
+    }
     again |= any(plane.distance < Floats(0.0f));
   }
   return again;
@@ -204,6 +230,9 @@ void substep(const Group& g, const GuideSettings& settings, const Wind& wind, do
   const Near near = findNear(n, s.x, colliders);
   Surroundings around{colliders, {}, kSight, false};
   findPlanes(g, settings.skin, near, around, s);
+  NearScenery scenery;
+  if (!colliders.planes.empty() || !colliders.meshes.empty())
+    scenery = seeScenery(g, settings.skin, colliders, s);
   for (std::uint32_t i = 0; i < links; ++i) s.lambda[i] = 0.0f;
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
@@ -211,7 +240,7 @@ void substep(const Group& g, const GuideSettings& settings, const Wind& wind, do
       solveLinks(g, settings, s);
     else
       relax(g, settings, s);
-    if (!lookAgain(g, settings.skin, near.capsules, around, s)) break;
+    if (!lookAgain(g, settings.skin, near.capsules, around, scenery, s)) break;
   }
 
   // Relaxation leaves lambda 0, and tension where it was, at rest: that holds the groom, and does
@@ -302,6 +331,8 @@ void cutFrame(const GuideMotion& motion, const RigidTransform& from, float skin,
                 all.subspan((s > 0 ? s - 1 : s) * capsules, capsules), skin + kSight,
                 workspace.boxes);
   }
+  const std::size_t planes = motion.scenery.planes.size(), meshes = motion.scenery.meshes.size();
+  cutScenery(motion.sceneryBefore, motion.scenery, substeps, workspace.planes, workspace.meshes);
   workspace.colliders.clear();
   for (std::size_t s = 1; s <= substeps; ++s)
     workspace.colliders.push_back(
@@ -310,7 +341,9 @@ void cutFrame(const GuideMotion& motion, const RigidTransform& from, float skin,
          workspace.heads[s - 1].translation,
          std::span(workspace.capsules).subspan(s * capsules, capsules),
          std::span(workspace.capsules).subspan((s - 1) * capsules, capsules),
-         std::span(workspace.boxes).subspan(s * boxes, boxes), motion.head});
+         std::span(workspace.boxes).subspan(s * boxes, boxes), motion.head,
+         std::span(workspace.planes).subspan((s - 1) * planes, planes),
+         std::span(workspace.meshes).subspan((s - 1) * meshes, meshes)});
 }
 
 }  // namespace

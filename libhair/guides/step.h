@@ -23,6 +23,8 @@ struct GuideMotion {
   Wind wind{};
   double time = 0;                   ///< at the start of the frame, seconds; moves the gusts
   std::span<const LaneVec3> push{};  ///< m/s² on every point, laid out as GuideStrands; or empty
+  Scenery scenery{};                 ///< at the end of the frame
+  Scenery sceneryBefore{};           ///< at its start; same counts and order, or none: it stood
 };
 
 /// What stepGuides needs beside its inputs; kept by the caller, grown once.
@@ -31,6 +33,8 @@ struct GuideWorkspace {
   std::vector<RigidTransform> heads;        ///< [substeps + 1]
   std::vector<Capsule> capsules;            ///< [(substeps + 1) · capsuleCount]
   std::vector<CapsuleBoxes> boxes;          ///< of the same, sixteen at a time
+  std::vector<PlanePlace> planes;           ///< [substeps · planeCount]
+  std::vector<MeshPlace> meshes;            ///< [substeps · meshCount]
   std::vector<SubstepColliders> colliders;  ///< [substeps], of all these
 };
 
@@ -44,8 +48,8 @@ struct GuideWorkspace {
 ///   5. velocity = movement / h.
 /// Predicting with the last tension makes a groom at rest a fixed point of every substep, and is a
 /// good start for Newton otherwise. (Relaxation leaves tension as it is.)
-/// Throws Error: seconds not in (0, 1], settings out of range, counts that differ, wind that is not
-/// finite. One workspace goes with one GuideStrands.
+/// Throws Error: seconds not in (0, 1], settings out of range, counts that differ, scenery that is
+/// not valid, wind that is not finite. One workspace goes with one GuideStrands.
 void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,
                 GuideWorkspace& workspace, GuideStrands& guides);
 
