@@ -88,8 +88,11 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
     const StageTimer timer(profile, Stage::Guides, guidePoints);
     const std::span<const LaneVec3> push =
         settings.selfCollision ? hair.repulsion.push : std::span<const LaneVec3>{};
+    const bool sheltered = settings.selfCollision && settings.wind.shelter > 0 &&
+                           hair.repulsion.windShare.size() == hair.guides.position.size();
     stepGuides({body.worldFromHead, body.capsules, hair.capsules, hair.head, settings.wind,
-                hair.time, push, body.scenery, sceneryBefore(hair, body.scenery)},
+                hair.time, push, sheltered ? hair.repulsion.windShare : std::span<const Lanes>{},
+                body.scenery, sceneryBefore(hair, body.scenery)},
                settings.guides, seconds, hair.workspace, hair.guides);
   }
   {
@@ -100,6 +103,7 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
     const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
     measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
     repel(hair.guides, settings.repulsion, hair.repulsion);
+    if (settings.wind.shelter > 0) shelter(hair.guides, settings.wind, hair.repulsion);
   }
   hair.worldFromHead = body.worldFromHead;
   hair.capsules.assign(body.capsules.begin(), body.capsules.end());
@@ -151,6 +155,7 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   still.guides.airDrag = std::max(still.guides.airDrag, 20.0f);
   hair.guides.reset(body.worldFromHead);
   hair.repulsion.turn = 0;
+  hair.repulsion.windShare.clear();
   hair.time = 0;
   std::fill(hair.repulsion.push.begin(), hair.repulsion.push.end(), LaneVec3{});
   std::vector<Capsule> grown(body.capsules.begin(), body.capsules.end());

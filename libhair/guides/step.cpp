@@ -7,6 +7,7 @@
 #include <libhair/guides/links-inl.h>
 #include <libhair/guides/relaxation-inl.h>
 #include <libhair/guides/scenery-inl.h>
+#include <libhair/motion/wind-inl.h>
 
 #include <algorithm>
 
@@ -22,7 +23,7 @@ struct Group {
   LaneVec3 *position, *velocity;
   Lanes* tension;
   const LaneVec3 *restPosition, *push;
-  const Lanes *mass, *inverseMass, *linkLength, *clearance;
+  const Lanes *windShare, *mass, *inverseMass, *linkLength, *clearance;
   RootFrame rest;
   BendingGroup bending;
 };
@@ -52,20 +53,16 @@ HWY_INLINE void findDirections(std::uint32_t points, const Points* x, Vec3* dire
 // Distance from the head at which the air moves with half its speed.
 inline constexpr float kCarriedAirRadius = 0.3f;
 
-HWY_NOINLINE void addWind(const Wind& wind, double time, const Vec3& p, Vec3& air) {
-  LaneVec3 at, blown;
-  store(p, at), store(air, blown);
-  for (std::size_t l = 0; l < kLanes; ++l)
-    setLane(blown, l, lane(blown, l) + wind.at(lane(at, l), time));
-  air = blown;
+HWY_NOINLINE void addWind(const WindField& wind, const Vec3& p, const Lanes* share, Vec3& air) {
+  const Vec3 blown = blow(wind, p);
+  air = air + (share ? Floats(*share) * blown : blown);
 }
 
 // x = where its velocity alone takes every free point in time h; force = all that acts on it but
 // bending, per linear density.
-HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Wind& wind,
-                        double time, float h, const SubstepColliders& colliders, Scratch& s) {
+HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const WindField* wind,
+                        float h, const SubstepColliders& colliders, Scratch& s) {
   const float keep = 1.0f / (1.0f + settings.airDrag * h);
-  const bool still = wind.still();
   // What moves with the head was, h ago, at back · (p - now) + then: it moves with the velocity
   // carry · (p - now) + drift.
   const glm::mat3 back = colliders.turnBefore * glm::transpose(colliders.turn);
@@ -88,7 +85,7 @@ HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Win
     const Floats share = Floats(settings.carriedAir) /
                          (Floats(1.0f) + Floats(kPerRadius2) * dot(fromHead, fromHead));
     Vec3 air = share * (rotate(carry, fromHead) + drift);
-    if (!still) addWind(wind, time, p, air);
+    if (wind) addWind(*wind, p, g.windShare ? g.windShare + i : nullptr, air);
     Vec3 acceleration = gravity + Floats(keep * settings.airDrag) * air;
     if (g.push) acceleration = acceleration + Vec3(g.push[i]);
     // Implicit drag: v' = (v + h drag · air) / (1 + h drag), then what else accelerates.
@@ -215,11 +212,11 @@ HWY_NOINLINE void relax(const Group& g, const GuideSettings& settings, Scratch& 
   findDirections(g.points, s.x, s.directions);
 }
 
-void substep(const Group& g, const GuideSettings& settings, const Wind& wind, double time, float h,
+void substep(const Group& g, const GuideSettings& settings, const WindField* wind, float h,
              const SubstepColliders& colliders, Scratch& s) {
   const std::uint32_t n = g.points, links = n - 1;
   const bool direct = settings.linkSolver == LinkSolver::Direct;
-  predict(g, settings, wind, time, h, colliders, s);
+  predict(g, settings, wind, h, colliders, s);
   s.x[0] = rotate(colliders.turn, g.restPosition[0]) + Vec3(colliders.at);
   const RootFrame root{rotate(colliders.turn, g.rest.tangent),
                        rotate(colliders.turn, g.rest.normal)};
@@ -273,6 +270,7 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
         &guides.tension[l],
         &guides.restPosition[p],
         motion.push.empty() ? nullptr : &motion.push[p],
+        motion.windShare.empty() ? nullptr : &motion.windShare[p],
         &guides.pointMass[p],
         &guides.inverseMass[p],
         &guides.linkLength[l],
@@ -283,11 +281,9 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
     findDirections(n, group.position, s.directions);
     for (std::uint32_t i = 0; i < n; ++i)
       s.seenAt[i] = group.position[i], s.clear[i] = Clearance(0);
-    double time = motion.time;
-    for (const SubstepColliders& colliders : workspace.colliders) {
-      substep(group, settings, motion.wind, time, h, colliders, s);
-      time += static_cast<double>(h);
-    }
+    for (std::size_t i = 0; i < workspace.colliders.size(); ++i)
+      substep(group, settings, workspace.winds.empty() ? nullptr : &workspace.winds[i], h,
+              workspace.colliders[i], s);
   }
 }
 
@@ -354,7 +350,10 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
           " s is not in (0, 1]; cut longer times into frames");
   validate(settings);
   require(motion.wind.valid(),
-          "wind: velocity must be below 200 m/s, gust in [0, 1], gustLength > 0");
+          "wind: velocity must be below 200 m/s, gust and shelter in [0, 1], gustLength > 0");
+  require(motion.windShare.empty() || motion.windShare.size() == guides.position.size(),
+          "stepGuides: ", motion.windShare.size(), " shares of the wind for ",
+          guides.position.size(), " groups of points");
   require(motion.push.empty() || motion.push.size() == guides.position.size(),
           "stepGuides: ", motion.push.size(), " pushes for ", guides.position.size(),
           " groups of points");
@@ -367,6 +366,9 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
   const float h = seconds / static_cast<float>(substeps);
   factorBending(guides, h, settings.bendDamping, workspace.bending);
   cutFrame(motion, guides.worldFromHead, settings.skin, substeps, workspace);
+  workspace.winds.clear();
+  for (std::size_t s = 0; s < substeps && !motion.wind.still(); ++s)
+    workspace.winds.push_back(motion.wind.at(motion.time + static_cast<double>(s) * double{h}));
   parallelFor(guides.groupCount(), 1, [&](std::size_t begin, std::size_t end) {
     HWY_DYNAMIC_DISPATCH(stepGroups)(motion, settings, h, workspace, begin, end, guides);
   });

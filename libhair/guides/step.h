@@ -21,10 +21,11 @@ struct GuideMotion {
   std::span<const Capsule> capsulesBefore{};  ///< at its start; same count and order
   const MeshSdf* head = nullptr;              ///< collider in head space; null: none
   Wind wind{};
-  double time = 0;                   ///< at the start of the frame, seconds; moves the gusts
-  std::span<const LaneVec3> push{};  ///< m/s² on every point, laid out as GuideStrands; or empty
-  Scenery scenery{};                 ///< at the end of the frame
-  Scenery sceneryBefore{};           ///< at its start; same counts and order, or none: it stood
+  double time = 0;                     ///< at the start of the frame, seconds; moves the gusts
+  std::span<const LaneVec3> push{};    ///< m/s² on every point, laid out as GuideStrands; or empty
+  std::span<const Lanes> windShare{};  ///< of the wind that gets to every point; or empty: all
+  Scenery scenery{};                   ///< at the end of the frame
+  Scenery sceneryBefore{};             ///< at its start; same counts and order, or none: it stood
 };
 
 /// What stepGuides needs beside its inputs; kept by the caller, grown once.
@@ -36,6 +37,7 @@ struct GuideWorkspace {
   std::vector<PlanePlace> planes;           ///< [substeps · planeCount]
   std::vector<MeshPlace> meshes;            ///< [substeps · meshCount]
   std::vector<SubstepColliders> colliders;  ///< [substeps], of all these
+  std::vector<WindField> winds;             ///< [substeps]; empty: still air
 };
 
 /// Moves the guides over one frame of `seconds`. Each substep of length h:
