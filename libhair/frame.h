@@ -26,7 +26,7 @@ struct FrameSettings {
   RepulsionSettings repulsion;
   Wind wind;
 
-  std::vector<Light> lights{Light{}};  ///< none: hair in its ambient colour
+  std::vector<Light> lights = std::vector<Light>(1);  ///< none: hair in its ambient colour
   bool shadow = true;
   DensityMapSettings map;  ///< of every light's map
   /// Head and body in every light's map, as soft as its cells (occlude). A program that draws has
@@ -37,14 +37,22 @@ struct FrameSettings {
   glm::vec3 eye{0, 0, 1};  ///< where the picture is taken from, metres; highlights move with it
 };
 
-/// Where head and body are at the end of a frame.
+/// Where head, body and scenery are at the end of a frame.
 struct BodyState {
   RigidTransform worldFromHead;
-  std::span<const Capsule> capsules;  ///< same count and order in every frame
-  /// Planes and meshes; where there are more or fewer of a kind than in the frame before, those of
-  /// that kind stood where they are.
+  std::span<const Capsule> capsules;
   Scenery scenery{};
+
+  /// Each kind of collider: as many as before move from there; else changeColliders.
+  bool asMany(const BodyState& other) const {
+    return capsules.size() == other.capsules.size() &&
+           scenery.planes.size() == other.scenery.planes.size() &&
+           scenery.meshes.size() == other.scenery.meshes.size();
+  }
 };
+
+/// The same as stages see what stands still.
+ColliderState collidersOf(const BodyState& body, const MeshSdf* head);
 
 /// One head of hair over its frames: what the stages hand to each other.
 struct Hair {
@@ -72,6 +80,10 @@ struct Hair {
   GuideWorkspace workspace;
 
   StrandView strands() const { return wisps.strands(); }
+  /// Where head and body were at the end of the last frame.
+  BodyState body() const { return {worldFromHead, capsules, {planes, meshes}}; }
+  /// What the next frame starts from.
+  void remember(const BodyState& body);
   /// What lights at points look at: the joint that the head turns on. Hair that moves does not move
   /// it, so that neither cells nor brightness follow the hair's motion.
   glm::vec3 pivot() const { return worldFromHead.translation; }

@@ -1,6 +1,7 @@
 #include <apps/common/performance.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <utility>
@@ -8,6 +9,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/state_hash.h>
 #include <libhair/guides/measure.h>
+#include <libhair/hair_state.h>
 
 namespace hair {
 
@@ -54,6 +56,15 @@ void Performance::begin() {
   frame_ = 0;
   subject.motion.pose(0, pose);
   hair::restart({pose.worldFromHead, pose.capsules}, settings, static_cast<float>(settle_), hair);
+  relight();
+}
+
+void Performance::resume(std::istream& state) {
+  restoreState(state, hair);
+  log = {};
+  frame_ = std::round(hair.time * fps_);
+  time = frame_ / fps_;
+  subject.motion.pose(time, pose);
   relight();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <vector>
 
 #include <apps/common/subject.h>
@@ -35,6 +36,9 @@ class Performance {
 
   /// To the first pose, settled.
   void restart();
+  /// Goes on from a saved state of this hair (restoreState), at the frame of its time; at another
+  /// --fps than it was saved at, at the nearest one. Throws Error as restoreState does.
+  void resume(std::istream& state);
   /// One frame on: body, hair, shadows, shading. Starts again after a motion that is no loop ends.
   void step();
   /// Shadows and shades again without moving (camera, light or settings have changed).

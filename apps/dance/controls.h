@@ -22,7 +22,7 @@ enum class ShadowView : std::uint8_t { Off, On, SideBySide };
 /// All that the panel sets: plain values, grouped by what has to be done when they change.
 struct Controls {
   bool paused = false;
-  float speed = 1;  ///< simulated seconds a real one, (0, 1]
+  float speed = 1;  ///< simulated seconds a real one, [0.05, 3]
 
   /// Which hair: growing it takes a moment, so it is done when asked for.
   struct Growth {

@@ -5,12 +5,12 @@
 
 #include <apps/common/results.h>
 #include <apps/dance/dance.h>
-#include <apps/dance/pace.h>
 #include <apps/dance/panel.h>
 #include <apps/dance/show.h>
 #include <apps/draw/gl_context.h>
 #include <apps/draw/window.h>
 #include <libhair/core/error.h>
+#include <libhair/motion/pace.h>
 
 namespace hair {
 
@@ -117,7 +117,9 @@ void Interactive::stepOnce() {
 }
 
 void Interactive::simulate(double seconds) {
-  const int due = controls_.paused ? stepAsked_ : pace_.framesDue(seconds, controls_.speed);
+  pace_.setSpeed(controls_.speed);
+  pace_.setPaused(controls_.paused);
+  const int due = controls_.paused ? stepAsked_ : pace_.framesDue(seconds);
   int run = 0;
   while (run < due && (options_.frames == 0 || framesDone_ < options_.frames)) stepOnce(), ++run;
   readout_.droppedSeconds = pace_.droppedSeconds();

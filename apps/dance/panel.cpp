@@ -84,7 +84,8 @@ Requests drawPlayback(Controls& c) {
   requests.reset = ImGui::Button("Reset");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-ImGui::CalcTextSize(" speed").x);
-  ImGui::SliderFloat("speed", &c.speed, 0.05f, 1, "%.2f");
+  ImGui::SliderFloat("speed", &c.speed, 0.05f, 3, "%.2f",
+                     ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   return requests;
 }
 

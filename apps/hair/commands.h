@@ -45,6 +45,7 @@ struct SimulateOptions {
   int frames = 120;
   int threads = 0;            ///< 0: as many as the machine has
   std::filesystem::path out;  ///< .hair; one file a frame, numbered before the extension
+  std::filesystem::path loadState, saveState;  ///< where the run starts and ends; empty: at rest
   ResultFiles results;
 };
 void runSimulate(const SimulateOptions& options);

@@ -68,6 +68,11 @@ void addSimulate(CLI::App& app, Run& run) {
       ->add_option("--out", options->out,
                    "strands of every frame: out.hair becomes out.0000.hair, out.0001.hair ...")
       ->check(endsWith(".hair"));
+  command
+      ->add_option("--load-state", options->loadState,
+                   "go on from a saved state of the same hair, at the frame of its time")
+      ->check(CLI::ExistingFile);
+  command->add_option("--save-state", options->saveState, "leave the state after the last frame");
   addResultOptions(*command, options->results);
   command->footer(
       "Examples:\n"

@@ -1,9 +1,12 @@
+#include <fstream>
 #include <iostream>
 
 #include <apps/common/progress.h>
 #include <apps/hair/commands.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/files/atomic_write.h>
+#include <libhair/hair_state.h>
 
 namespace hair {
 
@@ -17,6 +20,16 @@ std::filesystem::path numbered(const std::filesystem::path& file, int frame) {
   return out.replace_extension(number + file.extension().string());
 }
 
+void load(const std::filesystem::path& file, Performance& performance) {
+  std::ifstream in(file, std::ios::binary);
+  require(in.is_open(), file.string(), ": cannot read");
+  try {
+    performance.resume(in);
+  } catch (const Error& error) {
+    throw Error(text(file.string(), ": ", error.what()));
+  }
+}
+
 }  // namespace
 
 void runSimulate(const SimulateOptions& options) {
@@ -28,6 +41,7 @@ void runSimulate(const SimulateOptions& options) {
   performing.shadow = performing.shadow && !options.results.profile.empty();
   Performance performance(subject, performing);
   performance.settings.shade = performing.shadow;
+  if (!options.loadState.empty()) load(options.loadState, performance);
   StatsLog stats;
   Progress progress("simulate", options.frames);
   for (int f = 0; f < options.frames; ++f) {
@@ -37,6 +51,9 @@ void runSimulate(const SimulateOptions& options) {
     progress.step();
   }
   progress.finish();
+  if (!options.saveState.empty())
+    writeAtomically(options.saveState,
+                    [&](std::ostream& out) { saveState(performance.hair, out); });
   writeResults(options.results, performance, performance.log, stats);
 }
 

@@ -40,12 +40,14 @@ struct Start {
       : guides(hair.guides),
         push(hair.repulsion.push),
         turn(hair.repulsion.turn),
+        waiting(hair.repulsion.waiting),
         capsules(hair.capsules) {}
   void to(ScenePlayer& player) const {
     player.frames = 0;
     player.hair.guides = guides;
     player.hair.repulsion.push = push;
     player.hair.repulsion.turn = turn;
+    player.hair.repulsion.waiting = waiting;
     player.hair.capsules = capsules;
     player.hair.time = 0;
   }
@@ -61,6 +63,7 @@ struct Start {
   GuideStrands guides;
   std::vector<LaneVec3> push;
   std::size_t turn;
+  float waiting;
   std::vector<Capsule> capsules;
 };
 

@@ -170,6 +170,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <algorithm>
+#include <cmath>
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
@@ -205,9 +206,19 @@ void check(const RepulsionSettings& s) {
   field(s.tolerance >= 1, "tolerance", s.tolerance, "[1, ...)");
   field(s.strength >= 0, "strength", s.strength, "[0, ...) m/s^2");
   field(s.limit >= 0, "limit", s.limit, "[0, ...) m/s^2");
+  field(s.interval > 0 && s.interval <= 1, "interval", s.interval, "(0, 1] s");
 }
 
 }  // namespace
+
+int turnsDue(float seconds, const RepulsionSettings& settings, Repulsion& repulsion) {
+  const float waited = repulsion.waiting + seconds;
+  // A turn that is due but for rounding is due.
+  const float turns = std::floor(waited / settings.interval + 1e-3f);
+  repulsion.waiting = std::max(0.0f, waited - turns * settings.interval);
+  // Two see all guides; more in one frame would see the same density again.
+  return static_cast<int>(std::min(2.0f, turns));
+}
 
 void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSettings& settings,
                     DensityMap& density) {
@@ -228,6 +239,7 @@ void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& 
   repulsion.allowed.assign(guides.position.size(), lanes(0));
   repulsion.push.assign(guides.position.size(), LaneVec3{});
   repulsion.turn = 0;
+  repulsion.waiting = 0;
   lookUp(repulsion.density, settings.kind, guides.position, repulsion.allowed);
   for (Lanes& allowed : repulsion.allowed)
     allowed = max(lanes(settings.threshold), settings.tolerance * allowed);

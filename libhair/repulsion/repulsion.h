@@ -27,6 +27,7 @@ struct RepulsionSettings {
   float tolerance = 1.3f;           ///< nor does less than the groom's own density times this, >= 1
   float strength = 20;              ///< m/s² on a point where density is twice what it may be
   float limit = 20;                 ///< m/s², the most
+  float interval = 1.0f / 60;       ///< seconds from call to call of repel (turnsDue), (0, 1]
 };
 
 /// What a groom at rest has of density at each guide point, and the push of the last frame.
@@ -36,7 +37,12 @@ struct Repulsion {
   std::vector<LaneVec3> push;    ///< the same, m/s²; what stepGuides takes
   std::vector<Lanes> windShare;  ///< the same: of the wind that gets there; empty: all of it
   std::size_t turn = 0;          ///< which half of the groups repel looks at next
+  float waiting = 0;             ///< seconds since repel was due
 };
+
+/// How often repel is due, 0 to 2 times, after `seconds` more: once an interval, so that hair feels
+/// the same whatever the length of frames.
+int turnsDue(float seconds, const RepulsionSettings& settings, Repulsion& repulsion);
 
 /// Fills the map with the drawn hair's length. The map's axes are the world's, not the light's: a
 /// lamp that moves must not move the hair.

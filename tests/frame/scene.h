@@ -1,17 +1,28 @@
 #pragma once
 
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include <libhair/frame.h>
 #include <libhair/guides/measure.h>
+#include <libhair/hair_state.h>
 #include <libhair/model/head.h>
 #include <libhair/model/styles.h>
 #include <libhair/motion/motion.h>
 
 namespace hair::test {
 
+/// Of the built-in head, made once a program.
+inline const MeshSdf& headCollider() {
+  static const MeshSdf collider(builtinHead().mesh, 0.004f, 0.03f);
+  return collider;
+}
+
 /// The built-in head with a style on it, moved by a motion: what the programs run, without files.
 struct Scene {
-  Head head = builtinHead();
-  MeshSdf collider{head.mesh, 0.004f, 0.03f};
+  const MeshSdf& collider = headCollider();
   Groom groom;
   Motion motion;
   FrameSettings settings;
@@ -56,6 +67,31 @@ inline StyleSettings small(Style style) {
   settings.wisps = 40;
   settings.strands = 240;
   return settings;
+}
+
+/// Every bit that a frame hands to the next.
+inline std::string stateOf(const Hair& hair) {
+  std::ostringstream out;
+  saveState(hair, out);
+  return out.str();
+}
+
+/// Where the guides end, metres.
+inline std::vector<glm::vec3> tipsOf(const Hair& hair) {
+  std::vector<glm::vec3> tips;
+  for (std::size_t g = 0; g < hair.guides.guideCount(); ++g)
+    tips.push_back(hair.guides.point(g, hair.guides.pointsPerGuide() - 1));
+  return tips;
+}
+
+/// Root of the mean squared distance.
+inline double rmsDistance(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const glm::dvec3 d(a[i] - b[i]);
+    sum += glm::dot(d, d);
+  }
+  return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
 }  // namespace hair::test
