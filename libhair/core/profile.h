@@ -61,7 +61,8 @@ class ProfileLog {
   static constexpr std::size_t kMostFrames = 4096;
 
   void add(const FrameProfile& frame);
-  std::size_t frameCount() const { return frameCount_; }  ///< that were added
+  std::size_t frameCount() const { return frameCount_; }    ///< that were added
+  std::size_t keptCount() const { return frames_.size(); }  ///< of these, <= kMostFrames
   /// Over the frames: quantile q in [0, 1] of a stage's time, milliseconds.
   double milliseconds(Stage stage, double q) const;
   /// The same for the sum of the stages `from` to `to` of each frame.
