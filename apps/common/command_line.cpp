@@ -179,13 +179,34 @@ void addResultOptions(CLI::App& command, ResultFiles& results) {
   command.add_flag("--hash", results.hash, "last line: `hash` and 16 digits over the state's bits");
 }
 
+std::optional<int> exitCodeOfParsing(CLI::App& app, int argc, const char* const* argv,
+                                     std::ostream& out, std::ostream& err) {
+  app.failure_message([](const CLI::App* failed, const CLI::Error& e) {
+    std::string program = failed->get_name();
+    for (const CLI::App* command : failed->get_subcommands()) program += ' ' + command->get_name();
+    return oneLine(text(program, ": ", e.what(), "; ", program, " --help tells more")) + '\n';
+  });
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e, out, err) == 0 ? 0 : 2;
+  }
+  return std::nullopt;
+}
+
+std::string oneLine(std::string message) {
+  for (char& c : message)
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+  return message;
+}
+
 int runReporting(const char* program, const std::function<int()>& body) {
   try {
     return body();
   } catch (const std::bad_alloc&) {
     std::cerr << program << ": out of memory; take fewer strands, points or cells\n";
   } catch (const std::exception& e) {
-    std::cerr << program << ": " << e.what() << '\n';
+    std::cerr << program << ": " << oneLine(e.what()) << '\n';
   }
   return 1;
 }
