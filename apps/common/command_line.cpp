@@ -100,7 +100,7 @@ void addHairOptions(CLI::App& command, SubjectOptions& subject) {
   auto* style = command
                     .add_option("--style", subject.style,
                                 "built-in hairstyle: smooth, curly or long; default smooth")
-                    ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case))
+                    ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case).description(""))
                     ->type_name("STYLE");
   command.add_option("--hair", subject.hair, "hair of a file instead: .hair, .tfx or .data")
       ->excludes(style);
@@ -139,6 +139,10 @@ void addSubjectOptions(CLI::App& command, SubjectOptions& subject) {
 void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, int& threads) {
   command.add_option("--fps", performance.fps, "frames a second of the motion; default 60")
       ->check(within(1.0, 1000.0));
+  command
+      .add_option("--motion-speed", performance.motionSpeed,
+                  "the dancer moves so many times as fast, and the hair has to follow; default 1")
+      ->check(within(0.01, 100.0));
   command.add_option("--threads", threads, "0, the default: as many as the machine has")
       ->check(CLI::Range(0, 1024));
   command
@@ -151,15 +155,17 @@ void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, i
             "a light at a point, metres, and its colour where the head is, brighter nearer by; "
             "again for more lights");
   addVector(command, "--wind", performance.wind, "m/s; default still air");
-  command.add_flag("!--no-shadow", performance.shadow, "leave self-shadowing out");
-  command.add_flag("!--no-self-collision", performance.selfCollision,
-                   "leave hair-hair repulsion out");
+  command.add_flag_callback(
+      "--no-shadow", [&performance] { performance.shadow = false; }, "leave self-shadowing out");
+  command.add_flag_callback(
+      "--no-self-collision", [&performance] { performance.selfCollision = false; },
+      "leave hair-hair repulsion out");
   static const std::map<std::string, LinkSolver> solvers = {{"direct", LinkSolver::Direct},
                                                             {"relaxation", LinkSolver::Relaxation}};
   command
       .add_option("--solver", performance.linkSolver,
                   "of the guides' links: direct (default) or relaxation, which stretches")
-      ->transform(CLI::CheckedTransformer(solvers, CLI::ignore_case))
+      ->transform(CLI::CheckedTransformer(solvers, CLI::ignore_case).description(""))
       ->type_name("SOLVER");
   command
       .add_option("--solver-iterations", performance.linkIterations,
