@@ -48,7 +48,7 @@ double peakBytesOf(const char* argument) {
     _exit(1);
   }
   int status = 0;
-  struct rusage usage {};
+  struct rusage usage{};
   if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) return 0;
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }

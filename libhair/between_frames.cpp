@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
+#include <libhair/growing_body.h>
 #include <libhair/guides/validate.h>
 #include <libhair/model/mesh_sdf.h>
 
@@ -47,8 +48,12 @@ std::vector<LaneMask> caught(const GuideStrands& guides, const BodyState& body, 
   const RigidTransform headFromWorld = inverse(guides.worldFromHead);
   const auto in = [&](glm::vec3 p, float clearance) {
     if (head && head->distance(headFromWorld.point(p)) < clearance - 0.5f * skin) return true;
-    return std::ranges::any_of(
-        body.capsules, [&](const Capsule& c) { return distanceAndGradient(c, p).w < 0.5f * skin; });
+    const auto close = [&](const auto& collider) {
+      return distanceAndGradient(collider, p).w < 0.5f * skin;
+    };
+    return std::ranges::any_of(body.capsules, close) ||
+           std::ranges::any_of(body.scenery.planes, close) ||
+           std::ranges::any_of(body.scenery.meshes, close);
   };
   std::vector<LaneMask> inside(guides.groupCount());
   for (std::size_t at = 0; at < guides.position.size(); ++at)
@@ -69,17 +74,15 @@ void bringOut(const BodyState& body, const GuideSettings& settings, const MeshSd
       }))
     return;
   const GuideStrands before = guides;
-  std::vector<Capsule> grown(body.capsules.begin(), body.capsules.end()), smaller;
-  for (Capsule& c : grown) c.radius = 0;
+  GrowingBody growing(body, guides), smaller(body, guides);
   for (int step = 1; step <= kPlacingSteps; ++step) {
-    smaller = grown;
-    const float share = static_cast<float>(step) / kPlacingSteps;
-    for (std::size_t c = 0; c < grown.size(); ++c)
-      grown[c].radius = share * body.capsules[c].radius;
+    const BodyState from = smaller.at(static_cast<float>(step - 1) / kPlacingSteps),
+                    to = growing.at(static_cast<float>(step) / kPlacingSteps);
     std::ranges::fill(guides.velocity, LaneVec3{});
     guides.tension = before.tension;
-    stepGuides({guides.worldFromHead, grown, smaller, head}, settings, settings.substep, workspace,
-               guides);
+    GuideMotion motion{guides.worldFromHead, to.capsules, from.capsules, head};
+    motion.scenery = to.scenery, motion.sceneryBefore = from.scenery;
+    stepGuides(motion, settings, settings.substep, workspace, guides);
   }
   guides.velocity = before.velocity;
   guides.tension = before.tension;
@@ -115,23 +118,28 @@ void teleport(const RigidTransform& worldFromHead, Hair& hair) {
   const auto vector = [&](glm::vec3 v) { return jump.vector(v); };
   moveAll(hair.guides.velocity, vector);
   moveAll(hair.repulsion.push, vector);
-  movePlaces(
-      worldFromHead, [&](glm::vec3 p) { return jump.point(p); }, hair);
+  movePlaces(worldFromHead, [&](glm::vec3 p) { return jump.point(p); }, hair);
+  // Of scenery nobody knows whether it comes along: the next frame takes it as it stands then.
+  hair.planes.clear(), hair.meshes.clear();
 }
 
 void moveOrigin(glm::vec3 origin, Hair& hair) {
   RigidTransform worldFromHead = hair.worldFromHead;
   worldFromHead.translation -= origin;
   validate(worldFromHead);
-  movePlaces(
-      worldFromHead, [&](glm::vec3 p) { return p - origin; }, hair);
+  movePlaces(worldFromHead, [&](glm::vec3 p) { return p - origin; }, hair);
+  for (Plane& plane : hair.planes) plane.point -= origin;
+  for (MeshCollider& mesh : hair.meshes) mesh.worldFromMesh.translation -= origin;
 }
 
 void changeColliders(const BodyState& body, const FrameSettings& settings, Hair& hair) {
   require(body.capsules.size() <= kMaxCapsules, "changeColliders: ", body.capsules.size(),
           " capsules; take at most ", kMaxCapsules);
+  validate(body.scenery);
   bringOut(body, settings.guides, hair.head, hair.workspace, hair.guides);
-  hair.capsules.assign(body.capsules.begin(), body.capsules.end());
+  const RigidTransform head = hair.worldFromHead;
+  hair.remember(body);
+  hair.worldFromHead = head;
 }
 
 bool changeGroom(const Groom& groom, const FrameSettings& settings, Hair& hair) {
@@ -146,6 +154,7 @@ bool changeGroom(const Groom& groom, const FrameSettings& settings, Hair& hair) 
       next.repulsion.push = hair.repulsion.push;
       next.repulsion.turn = hair.repulsion.turn;
       next.repulsion.waiting = hair.repulsion.waiting;
+      next.repulsion.windShare = hair.repulsion.windShare;
     }
   }
   bringOut(body, settings.guides, next.head, next.workspace, next.guides);

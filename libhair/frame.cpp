@@ -5,6 +5,7 @@
 
 #include <libhair/between_frames.h>
 #include <libhair/core/error.h>
+#include <libhair/growing_body.h>
 #include <libhair/guides/validate.h>
 #include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
@@ -14,7 +15,7 @@
 namespace hair {
 
 ColliderState collidersOf(const BodyState& body, const MeshSdf* head) {
-  return {body.worldFromHead, body.worldFromHead, body.capsules, body.capsules, head};
+  return {body.worldFromHead, body.worldFromHead, body.capsules, body.capsules, head, body.scenery};
 }
 
 Hair::Hair(const Groom& groom_, const FrameSettings& settings, const BodyState& body,
@@ -22,12 +23,22 @@ Hair::Hair(const Groom& groom_, const FrameSettings& settings, const BodyState& 
     : groom(&groom_),
       head(head_),
       guides(groom_, settings.guides, body.worldFromHead, head_),
-      wisps(groom_, guides, wispSettings, head_),
-      worldFromHead(body.worldFromHead),
-      capsules(body.capsules.begin(), body.capsules.end()) {
-  validate(capsules);
+      wisps(groom_, guides, wispSettings, head_) {
+  validate(body.capsules);
+  validate(body.scenery);
+  remember(body);
   if (settings.selfCollision)
     allowRestDensity(strands(), groom->fibre, guides, settings.repulsion, repulsion);
+}
+
+void Hair::remember(const BodyState& body) {
+  const auto copy = []<class T>(std::span<const T> from, std::vector<T>& to) {
+    if (from.data() != to.data()) to.assign(from.begin(), from.end());
+  };
+  worldFromHead = body.worldFromHead;
+  copy(body.capsules, capsules);
+  copy(body.scenery.planes, planes);
+  copy(body.scenery.meshes, meshes);
 }
 
 void frame(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
@@ -37,11 +48,21 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
   const auto points = static_cast<std::int64_t>(hair.wisps.points.size());
   {
     const StageTimer timer(profile, Stage::Guides, guidePoints);
-    if (body.capsules.size() != hair.capsules.size()) changeColliders(body, settings, hair);
+    if (!hair.body().asMany(body)) changeColliders(body, settings, hair);
     const std::span<const LaneVec3> push =
         settings.selfCollision ? hair.repulsion.push : std::span<const LaneVec3>{};
-    stepGuides({body.worldFromHead, body.capsules, hair.capsules, hair.head, settings.wind,
-                hair.time, push},
+    const bool sheltered = settings.selfCollision && settings.wind.shelter > 0 &&
+                           hair.repulsion.windShare.size() == hair.guides.position.size();
+    stepGuides({body.worldFromHead,
+                body.capsules,
+                hair.capsules,
+                hair.head,
+                settings.wind,
+                hair.time,
+                push,
+                sheltered ? hair.repulsion.windShare : std::span<const Lanes>{},
+                body.scenery,
+                {hair.planes, hair.meshes}},
                settings.guides, seconds, hair.workspace, hair.guides);
   }
   {
@@ -54,9 +75,9 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
     const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
     measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
     for (int i = 0; i < turns; ++i) repel(hair.guides, settings.repulsion, hair.repulsion);
+    if (settings.wind.shelter > 0) shelter(hair.guides, settings.wind, hair.repulsion);
   }
-  hair.worldFromHead = body.worldFromHead;
-  hair.capsules.assign(body.capsules.begin(), body.capsules.end());
+  hair.remember(body);
   hair.time += seconds;
   light(settings, hair, profile);
 }
@@ -96,6 +117,7 @@ void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
 void restart(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair) {
   require(seconds >= 0 && seconds <= 3600, "restart: ", seconds,
           " s to settle are not in 0 to 3600");
+  validate(body.scenery);
   FrameProfile unused{};
   FrameSettings still = settings;
   still.wind = {};
@@ -103,24 +125,17 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   still.guides.airDrag = std::max(still.guides.airDrag, 20.0f);
   hair.guides.reset(body.worldFromHead);
   hair.repulsion.turn = 0;
+  hair.repulsion.windShare.clear();
   hair.repulsion.waiting = 0;
   hair.time = 0;
   std::fill(hair.repulsion.push.begin(), hair.repulsion.push.end(), LaneVec3{});
-  std::vector<Capsule> grown(body.capsules.begin(), body.capsules.end());
   const int frames = static_cast<int>(std::ceil(seconds * 60));
-  const auto sizeTo = [&](int i) {
-    const float share = static_cast<float>(i) / static_cast<float>(frames);
-    for (std::size_t c = 0; c < grown.size(); ++c)
-      grown[c].radius = share * body.capsules[c].radius;
-  };
-  if (frames > 0) sizeTo(0);
-  hair.capsules = grown;
-  hair.worldFromHead = body.worldFromHead;
+  GrowingBody growing(body, hair.guides);
+  hair.remember(frames > 0 ? growing.at(0) : body);
   if (frames == 0) interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
-  for (int i = 1; i <= frames; ++i) {
-    sizeTo(i);
-    frame({body.worldFromHead, grown}, still, 1.0f / 60, hair, unused);
-  }
+  for (int i = 1; i <= frames; ++i)
+    frame(growing.at(static_cast<float>(i) / static_cast<float>(frames)), still, 1.0f / 60, hair,
+          unused);
   std::fill(hair.guides.velocity.begin(), hair.guides.velocity.end(), LaneVec3{});
   hair.time = 0;
 }

@@ -37,10 +37,18 @@ struct FrameSettings {
   glm::vec3 eye{0, 0, 1};  ///< where the picture is taken from, metres; highlights move with it
 };
 
-/// Where head and body are at the end of a frame.
+/// Where head, body and scenery are at the end of a frame.
 struct BodyState {
   RigidTransform worldFromHead;
-  std::span<const Capsule> capsules;  ///< as many as before move from there; else changeColliders
+  std::span<const Capsule> capsules;
+  Scenery scenery{};
+
+  /// Each kind of collider: as many as before move from there; else changeColliders.
+  bool asMany(const BodyState& other) const {
+    return capsules.size() == other.capsules.size() &&
+           scenery.planes.size() == other.scenery.planes.size() &&
+           scenery.meshes.size() == other.scenery.meshes.size();
+  }
 };
 
 /// The same as stages see what stands still.
@@ -66,12 +74,16 @@ struct Hair {
   std::vector<std::uint32_t> colours;  ///< [pointCount] sRGB bytes (shadeKajiyaKay); or empty
   RigidTransform worldFromHead;        ///< at the end of the last frame
   std::vector<Capsule> capsules;       ///< body then
+  std::vector<Plane> planes;           ///< scenery then
+  std::vector<MeshCollider> meshes;    ///< scenery then
   double time = 0;                     ///< simulated seconds
   GuideWorkspace workspace;
 
   StrandView strands() const { return wisps.strands(); }
   /// Where head and body were at the end of the last frame.
-  BodyState body() const { return {worldFromHead, capsules}; }
+  BodyState body() const { return {worldFromHead, capsules, {planes, meshes}}; }
+  /// What the next frame starts from.
+  void remember(const BodyState& body);
   /// What lights at points look at: the joint that the head turns on. Hair that moves does not move
   /// it, so that neither cells nor brightness follow the hair's motion.
   glm::vec3 pivot() const { return worldFromHead.translation; }
@@ -93,8 +105,9 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
 /// and each has a map; that of a light which is no more is freed.
 void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile);
 
-/// Back to rest on the body, then `seconds` without motion, while the body grows from nothing to
-/// its size: hair groomed through a shoulder finds its way out instead of being thrown out.
+/// Back to rest on the body, then `seconds` without motion, while body and meshes grow from nothing
+/// to their size and planes rise from below all hair: hair groomed through a shoulder finds its way
+/// out instead of being thrown out.
 void restart(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair);
 
 }  // namespace hair

@@ -27,8 +27,11 @@ struct Header {
   std::uint32_t points;  // groups of them, of the guides
   std::uint32_t felt;    // points again, or 0 without self-collision
   std::uint32_t capsules, drawn, strands;
+  std::uint32_t planes, meshes;
+  std::uint32_t sheltered;  // points again, or 0 without shares of the wind
+  std::uint32_t unused = 0;
 };
-static_assert(sizeof(Header) == 56, "without gaps");
+static_assert(sizeof(Header) == 72, "without gaps");
 
 // w, x, y, z of the rotation, then the translation.
 using Pose = std::array<float, 7>;
@@ -41,6 +44,12 @@ Pose poseOf(const RigidTransform& t) {
 RigidTransform transformOf(const Pose& p) {
   return {{p[0], p[1], p[2], p[3]}, {p[4], p[5], p[6]}};
 }
+
+// Where a mesh stood; which it was is not saved.
+struct Placement {
+  Pose pose;
+  float scale;
+};
 
 // What a state cannot be moved between: the guides' rest shape, and how drawn strands follow.
 std::uint64_t restShapeOf(const Hair& hair) {
@@ -64,6 +73,9 @@ Header headerOf(const Hair& hair) {
   header.points = count(hair.guides.position);
   header.felt = count(hair.repulsion.allowed);
   header.capsules = count(hair.capsules);
+  header.planes = count(hair.planes);
+  header.meshes = count(hair.meshes);
+  header.sheltered = count(hair.repulsion.windShare);
   header.drawn = count(hair.wisps.points);
   header.strands = count(hair.wisps.rootOffsets);
   return header;
@@ -102,13 +114,17 @@ void check(const Header& header, const Hair& hair) {
           ": of another groom, or of guide settings that shape another rest; load it into "
           "the hair that it was saved of");
   require((header.felt == 0 || header.felt == own.points) && header.turn <= 1 &&
-              header.waiting >= 0 && header.waiting <= 1 && header.capsules <= kMaxCapsules,
-          kName, ": ", header.felt, " pushes, turn ", header.turn, " and ", header.capsules,
-          " capsules cannot be (damaged)");
+              header.waiting >= 0 && header.waiting <= 1 && header.capsules <= kMaxCapsules &&
+              header.planes <= kMaxPlanes && header.meshes <= kMaxMeshes &&
+              (header.sheltered == 0 || header.sheltered == own.points),
+          kName, ": ", header.felt, " pushes, ", header.sheltered, " shares of wind, turn ",
+          header.turn, ", ", header.capsules, " capsules, ", header.planes, " planes and ",
+          header.meshes, " meshes cannot be (damaged)");
 }
 
 std::size_t bodySize(const Header& h, std::size_t links) {
-  return 2 * sizeof(Pose) + h.capsules * sizeof(Capsule) +
+  return 2 * sizeof(Pose) + h.capsules * sizeof(Capsule) + h.planes * sizeof(Plane) +
+         h.meshes * sizeof(Placement) + std::size_t{h.sheltered} * sizeof(Lanes) +
          std::size_t{h.points} * 2 * sizeof(LaneVec3) + links * sizeof(Lanes) +
          std::size_t{h.felt} * (sizeof(Lanes) + sizeof(LaneVec3)) +
          std::size_t{h.drawn} * sizeof(glm::vec3) +
@@ -128,9 +144,13 @@ void saveState(const Hair& hair, std::ostream& out) {
   append(bytes, std::span(&header, 1));
   const std::array<Pose, 2> poses = {poseOf(hair.worldFromHead), poseOf(hair.guides.worldFromHead)};
   append(bytes, std::span<const Pose>(poses));
-  add(hair.capsules);
+  add(hair.capsules), add(hair.planes);
+  std::vector<Placement> placements;
+  for (const MeshCollider& mesh : hair.meshes)
+    placements.push_back({poseOf(mesh.worldFromMesh), mesh.scale});
+  add(placements);
   add(hair.guides.position), add(hair.guides.velocity), add(hair.guides.tension);
-  add(hair.repulsion.allowed), add(hair.repulsion.push);
+  add(hair.repulsion.allowed), add(hair.repulsion.push), add(hair.repulsion.windShare);
   add(hair.wisps.points), add(hair.wisps.rootOffsets), add(hair.wisps.clearance);
   const std::uint64_t sum = checkSum(bytes);
   append(bytes, std::span(&sum, 1));
@@ -158,18 +178,23 @@ void restoreState(std::istream& in, Hair& hair) {
   };
   std::vector<Pose> poses;
   std::vector<Capsule> capsules;
+  std::vector<Plane> planes;
+  std::vector<Placement> placements;
   GuideStrands guides = hair.guides;
-  std::vector<Lanes> allowed;
+  std::vector<Lanes> allowed, windShare;
   std::vector<LaneVec3> push;
   std::vector<glm::vec3> points, rootOffsets;
   std::vector<float> clearance;
   read(poses, 2, "pose");
   read(capsules, header.capsules, "capsule");
+  read(planes, header.planes, "plane");
+  read(placements, header.meshes, "placement of a mesh");
   read(guides.position, header.points, "guide position");
   read(guides.velocity, header.points, "guide velocity");
   read(guides.tension, hair.guides.tension.size(), "guide tension");
   read(allowed, header.felt, "allowed density");
   read(push, header.felt, "push");
+  read(windShare, header.sheltered, "share of the wind");
   read(points, header.drawn, "drawn point");
   read(rootOffsets, header.strands, "root offset");
   read(clearance, header.strands, "clearance");
@@ -178,11 +203,21 @@ void restoreState(std::istream& in, Hair& hair) {
     push.resize(allowed.size());
   }
 
+  // Meshes are those that this hair has met, where there are as many; else the next frame takes its
+  // own as they stand.
+  std::vector<MeshCollider> meshes = hair.meshes;
+  if (meshes.size() != placements.size()) meshes.clear();
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+    meshes[m] = {meshes[m].sdf, transformOf(placements[m].pose), placements[m].scale};
+
   // From here on nothing throws.
   hair.worldFromHead = transformOf(poses[0]);
   guides.worldFromHead = transformOf(poses[1]);
   hair.guides = std::move(guides);
   hair.capsules = std::move(capsules);
+  hair.planes = std::move(planes);
+  hair.meshes = std::move(meshes);
+  hair.repulsion.windShare = std::move(windShare);
   hair.repulsion.allowed = std::move(allowed);
   hair.repulsion.push = std::move(push);
   hair.repulsion.turn = header.turn;

@@ -100,7 +100,7 @@ void addHairOptions(CLI::App& command, SubjectOptions& subject) {
   auto* style = command
                     .add_option("--style", subject.style,
                                 "built-in hairstyle: smooth, curly or long; default smooth")
-                    ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case))
+                    ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case).description(""))
                     ->type_name("STYLE");
   command.add_option("--hair", subject.hair, "hair of a file instead: .hair, .tfx or .data")
       ->excludes(style);
@@ -139,6 +139,10 @@ void addSubjectOptions(CLI::App& command, SubjectOptions& subject) {
 void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, int& threads) {
   command.add_option("--fps", performance.fps, "frames a second of the motion; default 60")
       ->check(within(1.0, 1000.0));
+  command
+      .add_option("--motion-speed", performance.motionSpeed,
+                  "the dancer moves so many times as fast, and the hair has to follow; default 1")
+      ->check(within(0.01, 100.0));
   command.add_option("--threads", threads, "0, the default: as many as the machine has")
       ->check(CLI::Range(0, 1024));
   command
@@ -151,15 +155,17 @@ void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, i
             "a light at a point, metres, and its colour where the head is, brighter nearer by; "
             "again for more lights");
   addVector(command, "--wind", performance.wind, "m/s; default still air");
-  command.add_flag("!--no-shadow", performance.shadow, "leave self-shadowing out");
-  command.add_flag("!--no-self-collision", performance.selfCollision,
-                   "leave hair-hair repulsion out");
+  command.add_flag_callback(
+      "--no-shadow", [&performance] { performance.shadow = false; }, "leave self-shadowing out");
+  command.add_flag_callback(
+      "--no-self-collision", [&performance] { performance.selfCollision = false; },
+      "leave hair-hair repulsion out");
   static const std::map<std::string, LinkSolver> solvers = {{"direct", LinkSolver::Direct},
                                                             {"relaxation", LinkSolver::Relaxation}};
   command
       .add_option("--solver", performance.linkSolver,
                   "of the guides' links: direct (default) or relaxation, which stretches")
-      ->transform(CLI::CheckedTransformer(solvers, CLI::ignore_case))
+      ->transform(CLI::CheckedTransformer(solvers, CLI::ignore_case).description(""))
       ->type_name("SOLVER");
   command
       .add_option("--solver-iterations", performance.linkIterations,
@@ -179,13 +185,34 @@ void addResultOptions(CLI::App& command, ResultFiles& results) {
   command.add_flag("--hash", results.hash, "last line: `hash` and 16 digits over the state's bits");
 }
 
+std::optional<int> exitCodeOfParsing(CLI::App& app, int argc, const char* const* argv,
+                                     std::ostream& out, std::ostream& err) {
+  app.failure_message([](const CLI::App* failed, const CLI::Error& e) {
+    std::string program = failed->get_name();
+    for (const CLI::App* command : failed->get_subcommands()) program += ' ' + command->get_name();
+    return oneLine(text(program, ": ", e.what(), "; ", program, " --help tells more")) + '\n';
+  });
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e, out, err) == 0 ? 0 : 2;
+  }
+  return std::nullopt;
+}
+
+std::string oneLine(std::string message) {
+  for (char& c : message)
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+  return message;
+}
+
 int runReporting(const char* program, const std::function<int()>& body) {
   try {
     return body();
   } catch (const std::bad_alloc&) {
     std::cerr << program << ": out of memory; take fewer strands, points or cells\n";
   } catch (const std::exception& e) {
-    std::cerr << program << ": " << e.what() << '\n';
+    std::cerr << program << ": " << oneLine(e.what()) << '\n';
   }
   return 1;
 }

@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <iostream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -45,7 +47,8 @@ inline auto endsWith(std::string ending) {
   return [ending](const std::string& name) -> std::string {
     if (!name.ends_with(ending)) return "must end with " + ending + ": " + name;
     const std::filesystem::path folder = std::filesystem::path(name).parent_path();
-    require(folder.empty() || std::filesystem::is_directory(folder), name, ": no folder ",
+    std::error_code ignored;
+    require(folder.empty() || std::filesystem::is_directory(folder, ignored), name, ": no folder ",
             folder.string(), "; make it first");
     return {};
   };
@@ -61,6 +64,16 @@ inline auto within(double lowest, double highest) {
     return message.str();
   };
 }
+
+/// Has `app` read the command line. Nothing where the program is to go on; else what it exits
+/// with: 0 where help or the version was asked for and is printed, 2 for bad usage, of which one
+/// line on the error stream names the option.
+std::optional<int> exitCodeOfParsing(CLI::App& app, int argc, const char* const* argv,
+                                     std::ostream& out = std::cout, std::ostream& err = std::cerr);
+
+/// A message as one line whatever bytes of a command line or of a file's name are in it: control
+/// characters become question marks.
+std::string oneLine(std::string message);
 
 /// Runs `body`, turning exceptions into one line on the error stream and exit code 1.
 int runReporting(const char* program, const std::function<int()>& body);

@@ -42,7 +42,8 @@ Performance::Performance(const Subject& subject_, const PerformanceOptions& opti
            subject_.headCollider.get()),
       pose(subject_.motion.pose(0)),
       fps_(options.fps),
-      settle_(options.settle) {
+      settle_(options.settle),
+      motionSpeed_(options.motionSpeed) {
   restart();
 }
 
@@ -63,7 +64,7 @@ void Performance::resume(std::istream& state) {
   restoreState(state, hair);
   log = {};
   frame_ = std::round(hair.time * fps_);
-  time = frame_ / fps_;
+  time = frame_ / fps_ * motionSpeed_;
   subject.motion.pose(time, pose);
   relight();
 }
@@ -71,8 +72,10 @@ void Performance::resume(std::istream& state) {
 void Performance::step() {
   profile = {};
   const double duration = subject.motion.duration();
-  if (!subject.motion.isLoop() && duration > 0 && (frame_ + 1) / fps_ > duration + 1e-6) begin();
-  time = ++frame_ / fps_;
+  if (!subject.motion.isLoop() && duration > 0 &&
+      (frame_ + 1) / fps_ * motionSpeed_ > duration + 1e-6)
+    begin();
+  time = ++frame_ / fps_ * motionSpeed_;
   {
     const StageTimer timer(profile, Stage::Motion,
                            static_cast<std::int64_t>(pose.worldFromJoint.size()));

@@ -23,7 +23,8 @@ struct PerformanceOptions {
   glm::vec3 wind{0};                                ///< --wind X,Y,Z, m/s
   LinkSolver linkSolver = LinkSolver::Direct;       ///< --solver, of the guides' links
   int linkIterations = GuideSettings{}.iterations;  ///< --solver-iterations
-  float settle = 1;  ///< --settle, seconds in the first pose before the first frame
+  float settle = 1;        ///< --settle, seconds in the first pose before the first frame
+  double motionSpeed = 1;  ///< --motion-speed, seconds of the motion a second of the hair
 };
 
 /// Settings of a frame for this subject: the map is as large as its hair needs (mapExtentNeeded).
@@ -59,7 +60,7 @@ class Performance {
   void begin();
 
   double frame_ = 0;  // since the motion began; whole, so that time does not drift
-  double fps_, settle_;
+  double fps_, settle_, motionSpeed_;
 };
 
 /// Writes per-frame figures:

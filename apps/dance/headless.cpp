@@ -35,7 +35,9 @@ int runHeadless(const DanceOptions& options) {
   staging.scene.sideBySide = options.sideBySide;
 
   const double fps = options.performance.fps;
-  const double seconds = subject.motion.duration() > 0 ? subject.motion.duration() : 5;
+  const double seconds = subject.motion.duration() > 0
+                             ? subject.motion.duration() / options.performance.motionSpeed
+                             : 5;
   const int frames = options.frames > 0
                          ? options.frames
                          : std::max(1, static_cast<int>(std::floor(seconds * fps + 1e-6)));

@@ -1,14 +1,13 @@
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <set>
 #include <span>
-#include <sstream>
 
 #include <apps/common/progress.h>
 #include <apps/hair/commands.h>
+#include <apps/hair/measure_check.h>
 #include <apps/hair/measure_choice.h>
 #include <apps/hair/measure_report.h>
 #include <apps/hair/measure_tables.h>
@@ -26,28 +25,6 @@ constexpr std::size_t kRaySteps = 240;
 constexpr std::size_t kTruthFlickerPoints = 128;  // of the samples; the truth is slow
 constexpr glm::vec3 kUsualLight{0.45f, -0.8f, -0.4f};
 
-// "deep-opacity-map,auto" to "deep opacity map", "auto"; none: all methods.
-std::set<std::string> methodsWanted(const std::string& option) {
-  std::set<std::string> wanted;
-  if (option == "all" || option == "quick") return wanted;
-  std::istringstream words(option);
-  for (std::string word; std::getline(words, word, ',');) {
-    std::string name = word;
-    std::replace(name.begin(), name.end(), '-', ' ');
-    const auto known = candidateMethods();
-    std::string choices = "all, quick";
-    for (std::string method : known) {
-      std::replace(method.begin(), method.end(), ' ', '-');
-      choices += ", " + method;
-    }
-    require(std::find(known.begin(), known.end(), name) != known.end(), "--methods: no method '",
-            word, "'; there are ", choices);
-    wanted.insert(name);
-  }
-  require(!wanted.empty(), "--methods: no method in '", option, "'");
-  return wanted;
-}
-
 std::vector<ShadowCandidate> candidatesFor(const MeasureReport& report, const LightSpace& light,
                                            float footprint, const std::set<std::string>& wanted) {
   const CandidateSet set =
@@ -57,21 +34,6 @@ std::vector<ShadowCandidate> candidatesFor(const MeasureReport& report, const Li
     return !wanted.empty() && !wanted.contains(candidate.method);
   });
   return list;
-}
-
-// All that can be wrong with options, before files are read.
-void checkOptions(const MeasureOptions& options) {
-  for (const glm::vec3 light : options.lights) makeLightSpace(light);
-  for (const float footprint : options.footprints)
-    require(std::isfinite(footprint) && footprint > 0, "--footprint: ", footprint,
-            " m is not positive");
-  require(options.flickerSteps != 1,
-          "--flicker-steps: 1 step shows no flicker; 0 for none, or 2 or more");
-  const std::size_t cases = std::max<std::size_t>(options.lights.size() + options.lamps.size(), 1) *
-                            options.footprints.size();
-  require(options.dump.empty() || cases == 1, "--dump: ", cases,
-          " pairs of light and footprint do not fit into one table; give one light and one "
-          "footprint, or run once for each");
 }
 
 std::vector<MeasuredLight> lightsOf(const MeasureOptions& options, const MeasuredHair& hair) {

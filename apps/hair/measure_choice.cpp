@@ -1,6 +1,5 @@
 #include <apps/hair/measure_choice.h>
 
-#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -26,16 +25,6 @@ std::string ratio(double measured, double predicted) {
 }
 
 }  // namespace
-
-std::optional<ShadowBudget> budgetOf(const MeasureOptions& options) {
-  if (!options.maxError && !options.budgetMs) return std::nullopt;
-  ShadowBudget budget;
-  if (options.maxError) budget.maxError = *options.maxError;
-  if (options.budgetMs) budget.milliseconds = *options.budgetMs;
-  require(budget.maxError > 0, "--max-error: ", budget.maxError, " is not positive");
-  require(budget.milliseconds > 0, "--budget-ms: ", budget.milliseconds, " is not positive");
-  return budget;
-}
 
 ShadowChoice addChoice(const MeasureReport& report, const LightSpace& light, float footprint,
                        const ShadowBudget& budget, const MachineCosts& machine,

@@ -1,17 +1,12 @@
 #pragma once
 
 #include <iosfwd>
-#include <optional>
 #include <vector>
 
 #include <apps/hair/measure_report.h>
 #include <libhair/measure/choose.h>
 
 namespace hair {
-
-/// What --max-error and --budget-ms ask for; none: nothing is to be chosen. Throws Error for limits
-/// that are not positive.
-std::optional<ShadowBudget> budgetOf(const MeasureOptions& options);
 
 /// Chooses for a light and a footprint, says what and why, and appends the choice to the candidates
 /// as one more method, `chosen`.

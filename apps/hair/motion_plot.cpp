@@ -20,7 +20,7 @@ struct Series {
   std::string name;
   std::string_view colour;
   double labelY;  // of a label from its marker
-  int SimulationRow::*dial;
+  int SimulationRow::* dial;
   std::vector<SimulationRow> rows;
 };
 

@@ -12,8 +12,10 @@ namespace hair {
 /// What the chosen command will do once the whole command line has been understood.
 using Run = std::function<void()>;
 
-/// Commands that measure: `hair measure`, `measure-motion`, `plan`. `commandLine` is told to who
-/// wants to repeat a measurement.
+/// All commands of `hair`; `commandLine` is told to who wants to repeat a measurement.
+void addCommands(CLI::App& app, Run& run, const std::string& commandLine);
+
+/// Those that measure: `hair measure`, `measure-motion`, `plan`.
 void addMeasure(CLI::App& app, Run& run, const std::string& commandLine);
 void addMeasureMotion(CLI::App& app, Run& run);
 void addPlan(CLI::App& app, Run& run);

@@ -13,6 +13,16 @@ std::string_view stageName(Stage stage) {
   return names[static_cast<std::size_t>(stage)];
 }
 
+void ProfileLog::add(const FrameProfile& frame) {
+  if (frameCount_++ % stride_ != 0) return;
+  if (frames_.size() == kMostFrames) {
+    for (std::size_t f = 0; f < kMostFrames / 2; ++f) frames_[f] = frames_[2 * f];
+    frames_.resize(kMostFrames / 2);
+    stride_ *= 2;
+  }
+  frames_.push_back(frame);
+}
+
 double ProfileLog::milliseconds(Stage from, Stage to, double q) const {
   if (frames_.empty()) return 0;
   std::vector<double> times;

@@ -54,11 +54,15 @@ class StageTimer {
   Clock::time_point start_;
 };
 
-/// Profiles of many frames, and what they say together.
+/// Profiles of many frames, and what they say together. A log of any length takes half a megabyte:
+/// of more than kMostFrames it keeps every second, then every fourth ..., evenly over them all.
 class ProfileLog {
  public:
-  void add(const FrameProfile& frame) { frames_.push_back(frame); }
-  std::size_t frameCount() const { return frames_.size(); }
+  static constexpr std::size_t kMostFrames = 4096;
+
+  void add(const FrameProfile& frame);
+  std::size_t frameCount() const { return frameCount_; }    ///< that were added
+  std::size_t keptCount() const { return frames_.size(); }  ///< of these, <= kMostFrames
   /// Over the frames: quantile q in [0, 1] of a stage's time, milliseconds.
   double milliseconds(Stage stage, double q) const;
   /// The same for the sum of the stages `from` to `to` of each frame.
@@ -67,7 +71,8 @@ class ProfileLog {
   void writeCsv(std::ostream& out) const;
 
  private:
-  std::vector<FrameProfile> frames_;
+  std::vector<FrameProfile> frames_;  // one of `stride_`
+  std::size_t frameCount_ = 0, stride_ = 1;
 };
 
 }  // namespace hair

@@ -20,15 +20,6 @@ inline constexpr float kFarEnough = 1e-3f;
 // by a cell at most, along each axis; and more than there is for what far nodes may be wrong by.
 inline constexpr float kHeadSlope = 1.75f;
 
-/// The half-space normal · x >= offset in which a point of a strand must stay for one substep, and
-/// how far the surface moved in it.
-struct ContactPlane {
-  Vec3 normal;
-  Floats offset;
-  Vec3 surfaceMove;
-  Floats distance;  ///< of the point to the plane when it was found; no collider is nearer
-};
-
 /// How far points are from body and head at least.
 struct Clearance {
   Floats body, head;
@@ -104,7 +95,7 @@ HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const 
   bool found = false;
   if (any(!(clearance.body > Floats(how.within)))) {
     for (const NearCapsule& capsule : around.capsules)
-      found |= nearerCapsule(p, capsule, capsule.reachOf(index, way) - Floats(how.slack),
+      found |= nearerCapsule(p, capsule, capsule.reach.of(index, way) - Floats(how.slack),
                              how.within, best);
     // What a capsule has swallowed may be out again soon.
     clearance.body = around.swallowed ? Floats(0.0f) : best.distance;

@@ -5,6 +5,7 @@
 
 #include <libhair/core/lanes.h>
 #include <libhair/core/transform.h>
+#include <libhair/guides/scenery.h>
 #include <libhair/motion/colliders.h>
 
 namespace hair {
@@ -16,12 +17,13 @@ struct ColliderState {
   RigidTransform worldFromHead, worldFromHeadBefore;
   std::span<const Capsule> capsules, capsulesBefore;  ///< same count and order
   const MeshSdf* head = nullptr;                      ///< in head space; may be null
+  Scenery scenery{};
 };
 
-/// The points next to the root go where the head goes. Where a capsule has swallowed the place that
-/// the head holds for one of them (the neck does, when the head is thrown back), there is no way
-/// out: it keeps that point only as far from its axis as that place is, and the points after it
-/// farther and farther, by this share of the way along the strand.
+/// The points next to the root go where the head goes. Where a collider has swallowed the place
+/// that the head holds for one of them (the neck does, when the head is thrown back), there is no
+/// way out: it keeps that point only as far off as that place is, and the points after it farther
+/// and farther, by this share of the way along the strand.
 inline constexpr std::uint32_t kAnchoredPoints = 3;
 inline constexpr float kReachGrowth = 0.7f;
 
@@ -44,6 +46,8 @@ struct SubstepColliders {
   std::span<const Capsule> capsules, capsulesBefore;
   std::span<const CapsuleBoxes> boxes;  ///< [capsules / 16, rounded up]
   const MeshSdf* head = nullptr;
+  std::span<const PlanePlace> planes;
+  std::span<const MeshPlace> meshes;
 };
 
 /// Appends the boxes of these capsules, `reach` metres larger. `before`: same count and order.

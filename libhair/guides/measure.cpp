@@ -18,7 +18,8 @@ void worse(float& worst, float value) {
 }  // namespace
 
 GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settings,
-                         std::span<const Capsule> capsules, const MeshSdf* head) {
+                         std::span<const Capsule> capsules, const MeshSdf* head,
+                         const Scenery& scenery) {
   GuideStats stats;
   const std::uint32_t n = guides.pointsPerGuide();
   const RigidTransform headFromWorld = inverse(guides.worldFromHead);
@@ -26,11 +27,12 @@ GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settin
   for (std::size_t g = 0; g < guides.guideCount(); ++g) {
     const std::size_t group = g / kLanes, l = g % kLanes;
     float way = 0;
-    // How deep a capsule has the place where the head holds this point (contact.h), not above 0.
-    const auto swallowed = [&](const Capsule& c, std::uint32_t i, float after) {
+    // How much deeper in a collider point i is than the place where the head holds it (contact.h).
+    const auto deeper = [&](const auto& collider, std::uint32_t i) {
       const std::size_t anchor = group * n + std::min(i, kAnchoredPoints);
       const glm::vec3 held = guides.worldFromHead.point(lane(guides.restPosition[anchor], l));
-      return std::min(0.0f, distanceAndGradient(c, held).w + kReachGrowth * after);
+      const float swallowed = distanceAndGradient(collider, held).w + kReachGrowth * way;
+      return std::min(0.0f, swallowed) - distanceAndGradient(collider, guides.point(g, i)).w;
     };
     for (std::uint32_t i = 0; i < n; ++i) {
       const glm::vec3 p = guides.point(g, i);
@@ -42,8 +44,9 @@ GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settin
                              static_cast<double>(glm::dot(v, v));
       if (i == 0) continue;
       if (i > kAnchoredPoints) way += guides.linkLength[group * (n - 1) + i - 1][l];
-      for (const Capsule& c : capsules)
-        worse(stats.penetrationMax, swallowed(c, i, way) - distanceAndGradient(c, p).w);
+      for (const Capsule& c : capsules) worse(stats.penetrationMax, deeper(c, i));
+      for (const Plane& plane : scenery.planes) worse(stats.penetrationMax, deeper(plane, i));
+      for (const MeshCollider& mesh : scenery.meshes) worse(stats.penetrationMax, deeper(mesh, i));
       if (head)
         worse(stats.penetrationMax,
               std::min(0.0f, guides.clearance[at][l]) - head->distance(headFromWorld.point(p)));

@@ -17,8 +17,9 @@ struct GuideStats {
 };
 
 /// Points groomed inside the head count by how much deeper than groomed they are, points of a
-/// strand whose root a capsule has swallowed by how much deeper than the root; roots not at all.
+/// strand whose root a collider has swallowed by how much deeper than the root; roots not at all.
 GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settings,
-                         std::span<const Capsule> capsules, const MeshSdf* head);
+                         std::span<const Capsule> capsules, const MeshSdf* head,
+                         const Scenery& scenery = {});
 
 }  // namespace hair

@@ -12,28 +12,17 @@
 #include <span>
 
 #include <libhair/core/simd-inl.h>
-#include <libhair/guides/contact.h>
+#include <libhair/guides/contact_plane-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// Farther than anything reaches in a substep.
-inline constexpr float kFar = 1e3f;
 /// A capsule worth looking at.
 struct NearCapsule {
   glm::vec3 a, axis, moveA, moveAxis;  ///< move...: since the substep before
   float perAxis2;                      ///< 1 / |axis|², 0 for a sphere
-  /// [i]: how far from its axis point i + 1 must keep; points after the last of them that far plus
-  /// their way along the strand times kReachGrowth; at most `full`.
-  Floats reach[kAnchoredPoints];
-  float full;
-
-  HWY_INLINE Floats reachOf(std::uint32_t point, Floats way) const {
-    return point <= kAnchoredPoints
-               ? reach[point - 1]
-               : min(reach[kAnchoredPoints - 1] + Floats(kReachGrowth) * way, Floats(full));
-  }
+  Reach reach;                         ///< from its axis
 };
 
 /// Where the axis of a capsule is nearest to points: a + t · axis.
@@ -56,11 +45,10 @@ HWY_INLINE void lookAt(const Capsule& now, const Capsule& before, const Vec3* an
   near.a = now.a, near.axis = axis;
   near.moveA = now.a - before.a, near.moveAxis = (now.b - before.b) - near.moveA;
   near.perAxis2 = axis2 > 0 ? 1.0f / axis2 : 0.0f;
-  near.full = now.radius + skin;
-  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i) {
-    const Floats kept = length(anchors[i] - footOf(near, anchors[i]).point);
-    near.reach[i] = min(kept + Floats(0.5f * skin), Floats(near.full));
-  }
+  Floats held[kAnchoredPoints];
+  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
+    held[i] = length(anchors[i] - footOf(near, anchors[i]).point);
+  near.reach.set(held, now.radius + skin, skin);
 }
 
 /// The capsules near sixteen strands, one a bit, and the box in which their surfaces moved.
@@ -111,6 +99,13 @@ struct Surroundings {
   bool swallowed;  ///< one of these holds a point less far from its axis than others
 };
 
+/// Where the head holds points 1 to kAnchoredPoints of sixteen strands; `rest` [points].
+HWY_INLINE void findAnchors(std::uint32_t points, const LaneVec3* rest,
+                            const SubstepColliders& colliders, Vec3* anchors) {
+  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
+    anchors[i] = rotate(colliders.turn, rest[std::min(i + 1, points - 1)]) + Vec3(colliders.at);
+}
+
 /// Looks at these capsules, which go to `room` [kMaxCapsules], unless that is done already.
 /// `rest` [points]: of the strands, in head space.
 HWY_INLINE void lookAround(std::uint32_t points, const LaneVec3* rest, float skin,
@@ -118,14 +113,13 @@ HWY_INLINE void lookAround(std::uint32_t points, const LaneVec3* rest, float ski
   if (around.capsules.data()) return;
   const SubstepColliders& colliders = around.colliders;
   Vec3 anchors[kAnchoredPoints];
-  for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
-    anchors[i] = rotate(colliders.turn, rest[std::min(i + 1, points - 1)]) + Vec3(colliders.at);
+  findAnchors(points, rest, colliders, anchors);
   std::size_t count = 0;
   for (; capsules != 0; capsules &= capsules - 1) {
     const auto c = static_cast<std::size_t>(std::countr_zero(capsules));
     NearCapsule& near = room[count++];
     lookAt(colliders.capsules[c], colliders.capsulesBefore[c], anchors, skin, near);
-    for (const Floats& reach : near.reach) around.swallowed |= any(reach < Floats(near.full));
+    around.swallowed |= near.reach.swallowed();
   }
   around.capsules = {room, count};
 }

@@ -6,6 +6,8 @@
 #include <libhair/guides/contact-inl.h>
 #include <libhair/guides/links-inl.h>
 #include <libhair/guides/relaxation-inl.h>
+#include <libhair/guides/scenery-inl.h>
+#include <libhair/motion/wind-inl.h>
 
 #include <algorithm>
 
@@ -21,7 +23,8 @@ struct Group {
   LaneVec3 *position, *velocity;
   Lanes* tension;
   const LaneVec3 *restPosition, *push;
-  const Lanes *mass, *inverseMass, *linkLength, *mostTension, *mostCompression, *clearance;
+  const Lanes *windShare, *mass, *inverseMass, *linkLength, *mostTension, *mostCompression,
+      *clearance;
   RootFrame rest;
   BendingGroup bending;
   bool uneven;
@@ -49,6 +52,8 @@ struct Scratch {
   Floats lambda[kMaxGuidePoints], way[kMaxGuidePoints];
   Contact contacts[kMaxGuidePoints];
   NearCapsule near[kMaxCapsules];
+  NearPlane planes[kMaxPlanes];
+  NearMesh meshes[kMaxMeshes];
 };
 
 // Of the links, unit.
@@ -63,20 +68,16 @@ HWY_INLINE void findDirections(std::uint32_t points, const Points* x, Vec3* dire
 // Distance from the head at which the air moves with half its speed.
 inline constexpr float kCarriedAirRadius = 0.3f;
 
-HWY_NOINLINE void addWind(const Wind& wind, double time, const Vec3& p, Vec3& air) {
-  LaneVec3 at, blown;
-  store(p, at), store(air, blown);
-  for (std::size_t l = 0; l < kLanes; ++l)
-    setLane(blown, l, lane(blown, l) + wind.at(lane(at, l), time));
-  air = blown;
+HWY_NOINLINE void addWind(const WindField& wind, const Vec3& p, const Lanes* share, Vec3& air) {
+  const Vec3 blown = blow(wind, p);
+  air = air + (share ? Floats(*share) * blown : blown);
 }
 
 // x = where its velocity alone takes every free point in time h; force = all that acts on it but
 // bending, per linear density.
-HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Wind& wind,
-                        double time, float h, const SubstepColliders& colliders, Scratch& s) {
+HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const WindField* wind,
+                        float h, const SubstepColliders& colliders, Scratch& s) {
   const float keep = 1.0f / (1.0f + settings.airDrag * h);
-  const bool still = wind.still();
   // What moves with the head was, h ago, at back · (p - now) + then: it moves with the velocity
   // carry · (p - now) + drift.
   const glm::mat3 back = colliders.turnBefore * glm::transpose(colliders.turn);
@@ -99,7 +100,7 @@ HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Win
     const Floats share = Floats(settings.carriedAir) /
                          (Floats(1.0f) + Floats(kPerRadius2) * dot(fromHead, fromHead));
     Vec3 air = share * (rotate(carry, fromHead) + drift);
-    if (!still) addWind(wind, time, p, air);
+    if (wind) addWind(*wind, p, g.windShare ? g.windShare + i : nullptr, air);
     Vec3 acceleration = gravity + Floats(keep * settings.airDrag) * air;
     if (g.push) acceleration = acceleration + Vec3(g.push[i]);
     // Implicit drag: v' = (v + h drag · air) / (1 + h drag), then what else accelerates.
@@ -143,6 +144,24 @@ HWY_INLINE void findPlanes(const Group& g, float skin, const Near& near, Surroun
   }
 }
 
+// Every point sees the plane or mesh nearest to it, where that is nearer than what it sees already.
+HWY_NOINLINE NearScenery seeScenery(const Group& g, float skin, const SubstepColliders& colliders,
+                                    Scratch& s) {
+  Vec3 anchors[kAnchoredPoints];
+  findAnchors(g.points, g.restPosition, colliders, anchors);
+  const NearScenery scenery =
+      findScenery(colliders, g.points, s.x, anchors, skin, s.planes, s.meshes);
+  if (scenery.empty()) return scenery;
+  MeshClearance clearance(scenery);
+  for (std::uint32_t i = 1; i < g.points; ++i) {
+    clearance.step(length(s.x[i] - s.x[i - 1]));
+    Contact& contact = s.contacts[i];
+    contact.near =
+        nearerScenery(s.x[i], i, s.way[i], scenery, 0, contact.near, clearance.left, contact.plane);
+  }
+  return scenery;
+}
+
 // Points inside their planes are put on them.
 HWY_INLINE void pushOut(const Group& g, float friction, Scratch& s) {
   for (std::uint32_t i = 1; i < g.points; ++i) {
@@ -163,7 +182,7 @@ HWY_INLINE void pushOut(const Group& g, float friction, Scratch& s) {
 // True if one is inside another collider by now. The skin is for comfort: a point pinched between
 // two colliders has to do with a third of it.
 HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surroundings& around,
-                          Scratch& s) {
+                          const NearScenery& scenery, Scratch& s) {
   const Look how{kSight, skin * (2.0f / 3.0f)};
   bool again = false;
   for (std::uint32_t i = 1; i < g.points; ++i) {
@@ -178,6 +197,11 @@ HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surrou
         nearestPlane(s.x[i], i, s.way[i], g.clearance[i], around, how, s.clear[i], plane);
     s.clear[i].body = s.clear[i].body - Floats(how.slack);
     s.clear[i].head = s.clear[i].head - Floats(how.slack);
+    if (!scenery.empty()) {
+      Floats unknown = 0.0f;
+      s.contacts[i].near = nearerScenery(s.x[i], i, s.way[i], scenery, how.slack,
+                                         s.contacts[i].near, unknown, plane);
+    }
     again |= any(plane.distance < Floats(0.0f));
   }
   return again;
@@ -203,11 +227,11 @@ HWY_NOINLINE void relax(const Group& g, const GuideSettings& settings, Scratch& 
   findDirections(g.points, s.x, s.directions);
 }
 
-void substep(const Group& g, const GuideSettings& settings, const Wind& wind, double time, float h,
+void substep(const Group& g, const GuideSettings& settings, const WindField* wind, float h,
              const SubstepColliders& colliders, Scratch& s) {
   const std::uint32_t n = g.points, links = n - 1;
   const bool direct = settings.linkSolver == LinkSolver::Direct;
-  predict(g, settings, wind, time, h, colliders, s);
+  predict(g, settings, wind, h, colliders, s);
   s.x[0] = rotate(colliders.turn, g.restPosition[0]) + Vec3(colliders.at);
   const RootFrame root{rotate(colliders.turn, g.rest.tangent),
                        rotate(colliders.turn, g.rest.normal)};
@@ -218,6 +242,9 @@ void substep(const Group& g, const GuideSettings& settings, const Wind& wind, do
   const Near near = findNear(n, s.x, colliders);
   Surroundings around{colliders, {}, kSight, false};
   findPlanes(g, settings.skin, near, around, s);
+  NearScenery scenery;
+  if (!colliders.planes.empty() || !colliders.meshes.empty())
+    scenery = seeScenery(g, settings.skin, colliders, s);
   for (std::uint32_t i = 0; i < links; ++i) s.lambda[i] = 0.0f;
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
@@ -225,7 +252,7 @@ void substep(const Group& g, const GuideSettings& settings, const Wind& wind, do
       solveLinks(g, settings, s);
     else
       relax(g, settings, s);
-    if (!lookAgain(g, settings.skin, near.capsules, around, s)) break;
+    if (!lookAgain(g, settings.skin, near.capsules, around, scenery, s)) break;
   }
 
   // Relaxation leaves lambda 0, and tension where it was, at rest: that holds the groom, and does
@@ -258,6 +285,7 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
         &guides.tension[l],
         &guides.restPosition[p],
         motion.push.empty() ? nullptr : &motion.push[p],
+        motion.windShare.empty() ? nullptr : &motion.windShare[p],
         &guides.pointMass[p],
         &guides.inverseMass[p],
         &guides.linkLength[l],
@@ -271,11 +299,9 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
     findDirections(n, group.position, s.directions);
     for (std::uint32_t i = 0; i < n; ++i)
       s.seenAt[i] = group.position[i], s.clear[i] = Clearance(0);
-    double time = motion.time;
-    for (const SubstepColliders& colliders : workspace.colliders) {
-      substep(group, settings, motion.wind, time, h, colliders, s);
-      time += static_cast<double>(h);
-    }
+    for (std::size_t i = 0; i < workspace.colliders.size(); ++i)
+      substep(group, settings, workspace.winds.empty() ? nullptr : &workspace.winds[i], h,
+              workspace.colliders[i], s);
   }
 }
 
@@ -327,6 +353,9 @@ void cutFrame(const GuideMotion& motion, glm::vec3 origin, RigidTransform from, 
                 all.subspan((s > 0 ? s - 1 : s) * capsules, capsules), skin + kSight,
                 workspace.boxes);
   }
+  const std::size_t planes = motion.scenery.planes.size(), meshes = motion.scenery.meshes.size();
+  cutScenery(motion.sceneryBefore, motion.scenery, origin, substeps, workspace.planes,
+             workspace.meshes);
   workspace.colliders.clear();
   for (std::size_t s = 1; s <= substeps; ++s)
     workspace.colliders.push_back(
@@ -335,7 +364,9 @@ void cutFrame(const GuideMotion& motion, glm::vec3 origin, RigidTransform from, 
          workspace.heads[s - 1].translation,
          std::span(workspace.capsules).subspan(s * capsules, capsules),
          std::span(workspace.capsules).subspan((s - 1) * capsules, capsules),
-         std::span(workspace.boxes).subspan(s * boxes, boxes), motion.head});
+         std::span(workspace.boxes).subspan(s * boxes, boxes), motion.head,
+         std::span(workspace.planes).subspan((s - 1) * planes, planes),
+         std::span(workspace.meshes).subspan((s - 1) * meshes, meshes)});
 }
 
 }  // namespace
@@ -351,7 +382,11 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
   validate(motion.capsules);
   validatePush(motion.push);
   require(motion.wind.valid(),
-          "wind: velocity must be below 200 m/s, gust in [0, 1], gustLength in [1e-3, 1e6) m");
+          "wind: velocity must be below 200 m/s, gust and shelter in [0, 1], gustLength in [1e-3, "
+          "1e6) m");
+  require(motion.windShare.empty() || motion.windShare.size() == guides.position.size(),
+          "stepGuides: ", motion.windShare.size(), " shares of the wind for ",
+          guides.position.size(), " groups of points");
   require(motion.push.empty() || motion.push.size() == guides.position.size(),
           "stepGuides: ", motion.push.size(), " pushes for ", guides.position.size(),
           " groups of points");
@@ -367,6 +402,10 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
   factorBending(guides, h, settings.bendDamping, std::max(weight, 1.0f), workspace.bending);
   const glm::vec3 origin = stepOrigin(motion.worldFromHead);
   cutFrame(motion, origin, guides.worldFromHead, settings.skin, substeps, workspace);
+  workspace.winds.clear();
+  for (std::size_t s = 0; s < substeps && !motion.wind.still(); ++s)
+    workspace.winds.push_back(
+        motion.wind.at(motion.time + static_cast<double>(s) * double{h}).seenFrom(origin));
   shift(guides, -origin);
   parallelFor(guides.groupCount(), 1, [&](std::size_t begin, std::size_t end) {
     HWY_DYNAMIC_DISPATCH(stepGroups)(motion, settings, h, workspace, begin, end, guides);

@@ -21,8 +21,11 @@ struct GuideMotion {
   std::span<const Capsule> capsulesBefore{};  ///< at its start; same count and order
   const MeshSdf* head = nullptr;              ///< collider in head space; null: none
   Wind wind{};
-  double time = 0;                   ///< at the start of the frame, seconds; moves the gusts
-  std::span<const LaneVec3> push{};  ///< m/s² on every point, laid out as GuideStrands; or empty
+  double time = 0;                     ///< at the start of the frame, seconds; moves the gusts
+  std::span<const LaneVec3> push{};    ///< m/s² on every point, laid out as GuideStrands; or empty
+  std::span<const Lanes> windShare{};  ///< of the wind that gets to every point; or empty: all
+  Scenery scenery{};                   ///< at the end of the frame
+  Scenery sceneryBefore{};             ///< at its start; same counts and order, or none: it stood
 };
 
 /// What stepGuides needs beside its inputs; kept by the caller, grown once.
@@ -31,7 +34,10 @@ struct GuideWorkspace {
   std::vector<RigidTransform> heads;        ///< [substeps + 1]
   std::vector<Capsule> capsules;            ///< [(substeps + 1) · capsuleCount]
   std::vector<CapsuleBoxes> boxes;          ///< of the same, sixteen at a time
+  std::vector<PlanePlace> planes;           ///< [substeps · planeCount]
+  std::vector<MeshPlace> meshes;            ///< [substeps · meshCount]
   std::vector<SubstepColliders> colliders;  ///< [substeps], of all these
+  std::vector<WindField> winds;             ///< [substeps]; empty: still air
 };
 
 /// Moves the guides over one frame of `seconds`. Each substep of length h:
@@ -45,7 +51,7 @@ struct GuideWorkspace {
 /// Predicting with the last tension makes a groom at rest a fixed point of every substep, and is a
 /// good start for Newton otherwise. (Relaxation leaves tension as it is.)
 /// Throws Error: seconds not in [1e-6, 1], settings out of range, counts that differ, wind, head,
-/// capsules or pushes that are not finite, a head too far from the origin (validate.h). One
+/// capsules, scenery or pushes that are not valid, a head too far from the origin (validate.h). One
 /// workspace goes with one GuideStrands.
 void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,
                 GuideWorkspace& workspace, GuideStrands& guides);

@@ -54,7 +54,8 @@ struct CostStages {
 CostStages costStages(const ShadowSettings& settings);
 
 /// What a stage does with this hair:
-///  - density map, build: segments (points), cells crossed (samples for Trilinear), places of bricks
+///  - density map, build: segments (points), cells crossed (samples for Trilinear), places of
+///  bricks
 ///    in the map's table, cells of bricks that hold hair; and what caches miss: cells crossed ·
 ///    coldShare · log2 of its megabytes;
 ///  - density map, sample: points, cells read (rows of bricks for Footprint), points · log2 of the

@@ -230,8 +230,15 @@ void windAlong(int axis, const Grid& grid, std::span<const Corners> triangles,
 MeshSdf::MeshSdf(const TriangleMesh& mesh, float cell, float margin)
     : cell_(cell), perCell_(1.0f / cell), margin_(margin) {
   require(!mesh.triangles.empty(), "signed distance field: the mesh has no triangles");
-  require(cell > 0 && margin > 0, "signed distance field: cell (", cell, " m) and margin (", margin,
-          " m) must be positive");
+  require(cell > 0 && margin > 0 && std::isfinite(cell + margin), "signed distance field: cell (",
+          cell, " m) and margin (", margin, " m) must be positive");
+  for (const glm::vec3& p : mesh.positions)
+    require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
+            "signed distance field: vertex ", &p - mesh.positions.data(), " is not finite");
+  for (const glm::uvec3& t : mesh.triangles)
+    require(glm::max(t.x, glm::max(t.y, t.z)) < mesh.positions.size(),
+            "signed distance field: triangle ", &t - mesh.triangles.data(), " of ",
+            mesh.positions.size(), " vertices has none of them at a corner");
   const Bounds meshBox = bounds(mesh.positions);
   const glm::vec3 count = glm::ceil((meshBox.size() + 2 * margin) / cell) + 1.0f;
   require(count.x * count.y * count.z < 0x1p27f, "signed distance field: ", count.x, " x ", count.y,

@@ -17,7 +17,8 @@ namespace hair {
 class MeshSdf {
  public:
   /// `cell` and `margin` (how far the grid reaches beyond the mesh) in metres, > 0.
-  /// Throws Error for an empty mesh, or if the grid would have more than 2^27 nodes.
+  /// Throws Error for an empty mesh, one that is not finite or has triangles without vertices, or
+  /// if the grid would have more than 2^27 nodes.
   MeshSdf(const TriangleMesh& mesh, float cell, float margin);
 
   /// Metres. Outside the grid: a lower bound of the distance, never less than `margin`.

@@ -1,8 +1,14 @@
 #pragma once
 
+#include <span>
+
 #include <glm/glm.hpp>
 
+#include <libhair/core/transform.h>
+
 namespace hair {
+
+class MeshSdf;
 
 /// A sphere swept from a to b; a sphere where a == b. Metres, world space.
 struct Capsule {
@@ -41,5 +47,45 @@ inline float axisDistance(const Capsule& p, const Capsule& q) {
   s = uu > 1e-12f ? glm::clamp((uv * t - uw) / uu, 0.0f, 1.0f) : 0.0f;
   return glm::length(w + s * u - t * v);
 }
+
+/// All behind it is solid. `point` goes where the surface goes: hair that lies on a plane is
+/// carried by the motion of that point along it, too.
+struct Plane {
+  glm::vec3 point{0};         ///< anywhere on it, metres, world space
+  glm::vec3 normal{0, 1, 0};  ///< unit; to the free side
+};
+
+/// A closed mesh by its distance field (sharedSdf), placed at worldFromMesh.point(scale · p).
+struct MeshCollider {
+  const MeshSdf* sdf = nullptr;  ///< must stay there while it is used; not null
+  RigidTransform worldFromMesh{};
+  float scale = 1;  ///< (0, 1000)
+};
+
+/// What stands around head and body, or is worn: floor, furniture, a hat, a scanned body.
+struct Scenery {
+  std::span<const Plane> planes{};         ///< at most kMaxPlanes
+  std::span<const MeshCollider> meshes{};  ///< at most kMaxMeshes
+
+  bool empty() const { return planes.empty() && meshes.empty(); }
+};
+
+inline constexpr std::size_t kMaxPlanes = 8, kMaxMeshes = 8;
+
+/// Throws Error that names what is wrong: too many, a normal that is not unit, a scale or a
+/// rotation out of range, no distance field, anything that is not finite.
+void validate(const Scenery& scenery);
+
+/// As for a capsule: xyz = unit direction to the free side, w = metres to the surface, negative
+/// inside.
+inline glm::vec4 distanceAndGradient(const Plane& plane, glm::vec3 p) {
+  return {plane.normal, glm::dot(plane.normal, p - plane.point)};
+}
+/// What MeshSdf says, in metres of the world.
+glm::vec4 distanceAndGradient(const MeshCollider& mesh, glm::vec3 p);
+
+/// From `before` (t = 0) to `after` (t = 1): the shortest turn at constant speed, straight ways.
+Plane blend(const Plane& before, const Plane& after, float t);
+MeshCollider blend(const MeshCollider& before, const MeshCollider& after, float t);
 
 }  // namespace hair

@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <libhair/core/transform.h>
+
 namespace hair {
 
 /// Angle of the shortest turn between two rotations, degrees.
@@ -21,6 +23,14 @@ inline glm::quat rotationFromUpFront(glm::vec3 up, glm::vec3 front) {
   up = glm::normalize(up);
   const glm::vec3 lateral = glm::normalize(glm::cross(up, front));
   return glm::normalize(glm::quat_cast(glm::mat3(lateral, up, glm::cross(lateral, up))));
+}
+
+/// The shortest rotation from unit vector `from` to unit vector `to`; where they are opposite, some
+/// half turn.
+inline glm::quat turnBetween(glm::vec3 from, glm::vec3 to) {
+  const float c = 1 + glm::dot(from, to);
+  if (c < 1e-6f) return {0, anyNormal(from)};
+  return glm::normalize(glm::quat(c, glm::cross(from, to)));
 }
 
 }  // namespace hair

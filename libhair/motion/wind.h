@@ -1,40 +1,78 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include <glm/glm.hpp>
 
 namespace hair {
 
+/// A Wind at one time: a steady flow, and waves of velocity.
+struct WindField {
+  struct Wave {
+    glm::vec3 perMetre{0};  ///< turns
+    float phase = 0;        ///< turns, at the origin
+    glm::vec3 swing{0};     ///< m/s
+  };
+  glm::vec3 steady{0};  ///< m/s
+  std::array<Wave, 4> waves{};
+
+  glm::vec3 at(glm::vec3 p) const {
+    glm::vec3 v = steady;
+    for (const Wave& wave : waves)
+      v += std::sin(6.28318531f * (glm::dot(wave.perMetre, p) + wave.phase)) * wave.swing;
+    return v;
+  }
+  /// The same air where places count from `origin`.
+  WindField seenFrom(glm::vec3 origin) const {
+    WindField field = *this;
+    for (Wave& wave : field.waves) {
+      const double turns = glm::dot(glm::dvec3(wave.perMetre), glm::dvec3(origin));
+      wave.phase += static_cast<float>(turns - std::floor(turns));
+    }
+    return field;
+  }
+};
+
 /// Moving air: a steady flow, and gusts that travel with it.
 struct Wind {
   glm::vec3 velocity{0};    ///< m/s; zero: still air
   float gust = 0.5f;        ///< swing of the speed, as a fraction of it, [0, 1]
   float gustLength = 0.5f;  ///< metres from gust to gust
+  /// How well hair keeps the wind off the hair behind it, metres, [0, 1]: behind so many metres of
+  /// hair in each square metre across the wind, exp(-shelter · those) of it is left. Half a hair's
+  /// width times its drag coefficient, about 1e-4, is what real hair does; 0: none, and no work.
+  /// The density is that of self-collision: without that there is no shelter.
+  float shelter = 0;
 
-  /// Speed below 200 m/s, gust in [0, 1], gustLength in [1e-3, 1e6); false for anything that is not
-  /// finite.
+  /// Speed below 200 m/s, gust and shelter in [0, 1], gustLength in [1e-3, 1e6); false for anything
+  /// that is not finite.
   bool valid() const {
     return glm::dot(velocity, velocity) < 4e4f && gust >= 0 && gust <= 1 && gustLength >= 1e-3f &&
-           gustLength < 1e6f;
+           gustLength < 1e6f && shelter >= 0 && shelter <= 1;
   }
   bool still() const { return velocity == glm::vec3(0); }
 
-  /// Velocity of the air at point p (metres) and time t (seconds): incommensurate waves that are
-  /// carried along the flow, and a weaker one across it.
-  glm::vec3 at(glm::vec3 p, double t) const {
+  /// At time t (seconds): incommensurate waves that are carried along the flow, and a weaker one
+  /// across it. Phases are whole turns short of what they are, so that time takes no digits.
+  WindField at(double t) const {
+    WindField field{velocity, {}};
     const float speed = glm::length(velocity);
-    if (speed == 0) return glm::vec3(0);
-    const glm::vec3 along = velocity / speed;
-    const auto phase = static_cast<float>(std::fmod(t * speed / gustLength, 1024.0 * 6.2831853));
-    const float s = glm::dot(p, along) / gustLength - phase;
-    const float across = (p.y + 0.7f * p.x + 1.3f * p.z) / gustLength;
-    const float wave = 0.5f * std::sin(s) + 0.3f * std::sin(2.71f * s + 1.9f * across) +
-                       0.2f * std::sin(6.13f * s - 4.3f * across);
-    const glm::vec3 side =
-        glm::cross(along, std::abs(along.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
-    return velocity * (1 + gust * wave) +
-           side * (0.3f * gust * speed * std::sin(1.7f * s + across));
+    if (speed == 0) return field;
+    const glm::vec3 flow = velocity / speed;
+    const glm::vec3 up = std::abs(flow.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 slant(0.7f, 1, 1.3f), side = slant - glm::dot(slant, flow) * flow;
+    const float turnsPerMetre = 1 / (6.28318531f * gustLength);
+    const double turns = t * static_cast<double>(speed * turnsPerMetre);
+    const auto wave = [&](float along, float across, glm::vec3 swing) {
+      const double phase = static_cast<double>(along) * turns;
+      return WindField::Wave{turnsPerMetre * (along * flow + across * side),
+                             static_cast<float>(std::floor(phase) - phase), gust * swing};
+    };
+    field.waves = {wave(1, 0, 0.5f * velocity), wave(2.71f, 1.9f, 0.3f * velocity),
+                   wave(6.13f, -4.3f, 0.2f * velocity),
+                   wave(1.7f, 1, 0.3f * speed * glm::cross(flow, up))};
+    return field;
   }
 };
 

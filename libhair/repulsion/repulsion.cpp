@@ -147,6 +147,26 @@ void pushes(const DensityMap& map, const RepulsionSettings& settings, const Lane
   }
 }
 
+// What of the wind is left of it at `count` · 16 points. `step`: the way upwind that takes the
+// largest of its coordinates one cell on.
+void sheltered(const DensityMap& map, float shelter, const glm::vec3& step, const LaneVec3* points,
+               std::size_t count, Lanes* out) {
+  const DensityLookup lookup(map);
+  const Floats perDensity = shelter * glm::length(step);
+  for (std::size_t at = 0; at < count; ++at) {
+    const Vec3 p = points[at];
+    Floats sum = 0.0f;
+    // A point's own hair is in cells less than one and a half from it.
+    for (const float cells : {1.5f, 2.5f, 3.5f, 4.5f}) {
+      Vec3 gradient;
+      Floats density;
+      lookup.sample(p + Vec3(cells * step), density, gradient);
+      sum = sum + density;
+    }
+    store(expMinusApproximate(perDensity * sum), out[at]);
+  }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace hair
 HWY_AFTER_NAMESPACE();
@@ -166,6 +186,7 @@ namespace {
 
 HWY_EXPORT(densities);
 HWY_EXPORT(pushes);
+HWY_EXPORT(sheltered);
 
 // An empty map has no memory to look into.
 void lookUp(const DensityMap& map, RepulsionKind kind, std::span<const LaneVec3> points,
@@ -253,6 +274,21 @@ void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repuls
     }
   });
   repulsion.turn = 1 - turn;
+}
+
+void shelter(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion) {
+  require(wind.valid(), "shelter: the wind is not valid");
+  const std::size_t points = guides.position.size();
+  repulsion.windShare.assign(points, lanes(1));
+  if (wind.still() || wind.shelter == 0 || repulsion.density.empty()) return;
+  const glm::vec3 size = glm::abs(wind.velocity);
+  const glm::vec3 step = -repulsion.density.settings.cellSize /
+                         glm::max(size.x, glm::max(size.y, size.z)) * wind.velocity;
+  const auto fill = HWY_DYNAMIC_DISPATCH(sheltered);
+  parallelFor(points, 64, [&](std::size_t begin, std::size_t end) {
+    fill(repulsion.density, wind.shelter, step, &guides.position[begin], end - begin,
+         &repulsion.windShare[begin]);
+  });
 }
 
 }  // namespace hair

@@ -6,6 +6,7 @@
 
 #include <libhair/core/lanes.h>
 #include <libhair/guides/guide_strands.h>
+#include <libhair/motion/wind.h>
 #include <libhair/shadow/density_map.h>
 
 namespace hair {
@@ -31,11 +32,12 @@ struct RepulsionSettings {
 
 /// What a groom at rest has of density at each guide point, and the push of the last frame.
 struct Repulsion {
-  DensityMap density;          ///< metres of hair per m³
-  std::vector<Lanes> allowed;  ///< [groupCount · pointsPerGuide], metres of hair per m³
-  std::vector<LaneVec3> push;  ///< the same, m/s²; what stepGuides takes
-  std::size_t turn = 0;        ///< which half of the groups repel looks at next
-  float waiting = 0;           ///< seconds since repel was due
+  DensityMap density;            ///< metres of hair per m³
+  std::vector<Lanes> allowed;    ///< [groupCount · pointsPerGuide], metres of hair per m³
+  std::vector<LaneVec3> push;    ///< the same, m/s²; what stepGuides takes
+  std::vector<Lanes> windShare;  ///< the same: of the wind that gets there; empty: all of it
+  std::size_t turn = 0;          ///< which half of the groups repel looks at next
+  float waiting = 0;             ///< seconds since repel was due
 };
 
 /// How often repel is due, 0 to 2 times, after `seconds` more: once an interval, so that hair feels
@@ -56,5 +58,11 @@ void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& 
 /// at the next call, as density changes little in a frame. No more density than at rest is no push,
 /// so repulsion cannot keep a groom from coming to rest. Threads over groups.
 void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repulsion& repulsion);
+
+/// How much of the wind gets to each guide point past the hair upwind of it in the map, as
+/// Wind::shelter says. Counts hair from one cell to five away: a point's own cell does not count,
+/// so that a lone strand across the wind is in all of it. Threads over points. Throws Error for a
+/// wind that is not valid.
+void shelter(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion);
 
 }  // namespace hair

@@ -148,6 +148,13 @@ struct Strand {
         const Vec3 out = fromAxis(c, block.point);
         in = in | (open & (dot(out, out) < Floats(c.keep * c.keep)));
       }
+      for (const WispObstacles::Face& face : obstacles.faces)
+        in = in | (open & (beyond(face, block.point) < Floats(0.0f)));
+      for (const WispObstacles::Mesh& mesh : obstacles.meshes) {
+        const MeshLookup lookup(mesh);
+        const Vec3 q = lookup.inMesh(block.point);
+        in = in | (open & (lookup.beyond(q, open) < Floats(0.0f)));
+      }
     }
     return in;
   }
@@ -178,6 +185,20 @@ struct Strand {
         out = select(nearer, rotate(head.turn, head.sdf.direction(q, nearer)), out);
         nearest = select(nearer, w, nearest);
       }
+    }
+    for (const WispObstacles::Face& face : obstacles.faces) {
+      const Floats w = beyond(face, block.point);
+      out = select(w < nearest, Vec3(face.normal), out);
+      nearest = min(w, nearest);
+    }
+    for (const WispObstacles::Mesh& mesh : obstacles.meshes) {
+      const MeshLookup lookup(mesh);
+      const Vec3 q = lookup.inMesh(block.point);
+      const Floats w = lookup.beyond(q, in);
+      const Mask nearer = in & (w < nearest) & (w < Floats(0.0f));
+      if (!any(nearer)) continue;
+      out = select(nearer, rotate(mesh.worldFromMesh, lookup.sdf.direction(q, nearer)), out);
+      nearest = select(nearer, w, nearest);
     }
     block.point = select(in & (nearest < Floats(0.0f)), block.point - nearest * out, block.point);
   }
@@ -231,7 +252,7 @@ struct Strand {
     const glm::vec3 away = p - m;
     const float stray2 = glm::dot(away, away);
     return (!obstacles.head || stray2 < room[sample]) &&
-           (obstacles.axes.empty() || stray2 < room[samples + sample]);
+           (obstacles.onlyHead() || stray2 < room[samples + sample]);
   }
 
   HWY_INLINE void draw(glm::vec3* points) const {

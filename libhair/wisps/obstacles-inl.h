@@ -30,6 +30,35 @@ struct HeadLookup {
   }
 };
 
+/// A mesh's distance field for points in world space.
+struct MeshLookup {
+  SdfLookup sdf;
+  const WispObstacles::Mesh& mesh;
+
+  explicit MeshLookup(const WispObstacles::Mesh& m) : sdf(*m.sdf), mesh(m) {}
+
+  HWY_INLINE Vec3 inMesh(Vec3 world) const {
+    const Vec3 p = rotate(glm::transpose(mesh.worldFromMesh), world - Vec3(mesh.translation));
+    return Floats(1.0f / mesh.scale) * p;
+  }
+  /// Metres, less what is kept.
+  HWY_INLINE Floats beyond(Vec3 inMesh, Mask wanted) const {
+    return Floats(mesh.scale) * sdf.distance(inMesh, wanted) - Floats(mesh.keep);
+  }
+};
+
+/// Less what is kept.
+HWY_INLINE Floats beyond(const WispObstacles::Face& face, Vec3 p) {
+  return dot(Vec3(face.normal), p) - Floats(face.offset);
+}
+
+/// What a distance from a field of such cells is at least: the grid is wrong by little near the
+/// surface, by a cell far from it (MeshSdf).
+HWY_INLINE Floats atLeast(Floats distance, float cell) {
+  return select(distance < Floats(2.0f * cell), distance - Floats(0.25f * cell),
+                max(distance - Floats(cell), Floats(1.75f * cell)));
+}
+
 /// From the axis of a capsule to points.
 HWY_INLINE Vec3 fromAxis(const WispObstacles::Axis& c, Vec3 p) {
   const Vec3 fromA = p - Vec3(c.a), axis(c.axis);

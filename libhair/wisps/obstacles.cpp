@@ -42,12 +42,7 @@ void measureRoom(const GuideCurves& curves, float clearance, std::size_t guide,
     if (obstacles.head) {
       const HeadLookup head(obstacles);
       const Vec3 q = head.inHead(p);
-      toHead = head.sdf.distance(q, used);
-      // What the grid may be wrong by: little near the surface, a cell far from it (MeshSdf).
-      const float cell = obstacles.head->field().cell;
-      const Mask close = toHead < Floats(2.0f * cell);
-      toHead = select(close, toHead - Floats(0.25f * cell),
-                      max(toHead - Floats(cell), Floats(1.75f * cell)));
+      toHead = atLeast(head.sdf.distance(q, used), obstacles.head->field().cell);
       toHead = toHead - Floats(clearance);
     }
     for (std::uint64_t rest = obstacles.near[guide]; rest != 0; rest &= rest - 1) {
@@ -59,6 +54,13 @@ void measureRoom(const GuideCurves& curves, float clearance, std::size_t guide,
       if (!any(used & (d2 < Floats(reach * reach)))) continue;
       near |= std::uint64_t{1} << c;
       toBody = min(toBody, sqrt(d2) - Floats(axis.keep));
+    }
+    for (const WispObstacles::Face& face : obstacles.faces) toBody = min(toBody, beyond(face, p));
+    for (const WispObstacles::Mesh& mesh : obstacles.meshes) {
+      const MeshLookup lookup(mesh);
+      const Floats d = lookup.sdf.distance(lookup.inMesh(p), used);
+      const Floats scale = mesh.scale;
+      toBody = min(toBody, scale * atLeast(d, mesh.sdf->field().cell) - Floats(mesh.keep));
     }
     const auto squared = [](Floats d) HWY_ATTR {
       d = max(d - Floats(kSlack), Floats(0.0f));
@@ -106,6 +108,7 @@ void findObstacles(const ColliderState& colliders, float clearance, const GuideC
                    WispObstacles& obstacles) {
   require(colliders.capsules.size() <= 64, "interpolateWisps: ", colliders.capsules.size(),
           " capsules; at most 64");
+  validate(colliders.scenery);
   obstacles.head = colliders.head;
   obstacles.worldFromHead = glm::mat3_cast(colliders.worldFromHead.rotation);
   obstacles.translation = colliders.worldFromHead.translation;
@@ -117,6 +120,13 @@ void findObstacles(const ColliderState& colliders, float clearance, const GuideC
     obstacles.axes.push_back({c.a, axis, length2 > 0 ? 1.0f / length2 : 0.0f, keep,
                               glm::min(c.a, c.b) - reach, glm::max(c.a, c.b) + reach});
   }
+  obstacles.faces.clear();
+  for (const Plane& plane : colliders.scenery.planes)
+    obstacles.faces.push_back({plane.normal, glm::dot(plane.normal, plane.point) + clearance});
+  obstacles.meshes.clear();
+  for (const MeshCollider& mesh : colliders.scenery.meshes)
+    obstacles.meshes.push_back({mesh.sdf, glm::mat3_cast(mesh.worldFromMesh.rotation),
+                                mesh.worldFromMesh.translation, mesh.scale, clearance});
   obstacles.near.resize(curves.guideCount());
   obstacles.room.resize(obstacles.near.size() * 2 * curves.samples + kLanes);
   if (obstacles.none()) return;

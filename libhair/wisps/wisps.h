@@ -57,7 +57,8 @@ struct Wisps {
 /// would be inside a collider, single-strand interpolation from a few points above it to the tip;
 /// and what is inside even then is put on the surface. Colliders are where they stand at the end of
 /// the frame. Writes wisps.points: prepareWisps, then drawWisps of all strands. Same bits on every
-/// instruction set and for any number of threads. Throws Error for more than 64 capsules.
+/// instruction set and for any number of threads. Throws Error for more than 64 capsules, and for
+/// scenery that is not valid.
 void interpolateWisps(const GuideStrands& guides, const ColliderState& colliders, Wisps& wisps);
 
 /// What a frame does once: samples the guides, and finds out which obstacles are near. Threads over
@@ -65,7 +66,7 @@ void interpolateWisps(const GuideStrands& guides, const ColliderState& colliders
 void prepareWisps(const GuideStrands& guides, const ColliderState& colliders, Wisps& wisps);
 
 /// Draws strands begin to end with what prepareWisps left, on the calling thread: several threads
-/// may draw strands of their own at once. The head that it was given must still be there.
+/// may draw strands of their own at once. Distance fields that it was given must still be there.
 void drawWisps(std::size_t begin, std::size_t end, Wisps& wisps);
 
 }  // namespace hair

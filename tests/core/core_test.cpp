@@ -127,5 +127,21 @@ TEST(Profile, QuantilesAndRowsAreOfTheFramesAdded) {
   EXPECT_EQ(csv.str(), "stage,items,ms_median,ms_p95\nguides,10,3,5\ntotal,10,3,5\n");
 }
 
+TEST(Profile, ALongLogKeepsSomeFramesFromAllOfItsLength) {
+  ProfileLog log;
+  constexpr int kFrames = 100'000;
+  for (int i = 0; i < kFrames; ++i) {
+    FrameProfile frame{};
+    frame[static_cast<std::size_t>(Stage::Guides)] = {i, 10};
+    log.add(frame);
+  }
+  EXPECT_EQ(log.frameCount(), static_cast<std::size_t>(kFrames));
+  EXPECT_LE(log.keptCount(), ProfileLog::kMostFrames);
+  // Between two that were kept there are at most 2 · 100000 / kMostFrames others.
+  const double gap = 2e-6 * kFrames / ProfileLog::kMostFrames;
+  for (const double q : {0.0, 0.25, 0.5, 0.95, 1.0})
+    EXPECT_NEAR(log.milliseconds(Stage::Guides, q), 1e-6 * kFrames * q, gap) << q;
+}
+
 }  // namespace
 }  // namespace hair

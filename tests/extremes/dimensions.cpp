@@ -18,26 +18,11 @@ std::vector<Dimension> listed() {
   return {
       {"place of the head",
        {{"origin", [](S&) {}},
-        {"1 m",
-         [](S& s) {
-           s.place = {0.6f, 0.8f, 0.1f};
-         }},
-        {"30 m",
-         [](S& s) {
-           s.place = {-18, 24, 3};
-         }},
-        {"1 km",
-         [](S& s) {
-           s.place = {600, 0, -800};
-         }},
-        {"10 km",
-         [](S& s) {
-           s.place = {6e3f, 1, 8e3f};
-         }},
-        {"1e7 m",
-         [](S& s) {
-           s.place = {1e7f, 0, 0};
-         }}},
+        {"1 m", [](S& s) { s.place = {0.6f, 0.8f, 0.1f}; }},
+        {"30 m", [](S& s) { s.place = {-18, 24, 3}; }},
+        {"1 km", [](S& s) { s.place = {600, 0, -800}; }},
+        {"10 km", [](S& s) { s.place = {6e3f, 1, 8e3f}; }},
+        {"1e7 m", [](S& s) { s.place = {1e7f, 0, 0}; }}},
        true,
        1},
       {"frame",
@@ -62,42 +47,15 @@ std::vector<Dimension> listed() {
         {"50 g, reversing", [](S& s) { s.gravity = 490, s.reversingGravity = true; }}}},
       {"head",
        {{"still", [](S&) {}},
-        {"spins, 10 rad/s",
-         [](S& s) {
-           s.motion = {10, false, 0};
-         }},
-        {"spins, 100 rad/s",
-         [](S& s) {
-           s.motion = {100, false, 0};
-         }},
-        {"jerks, 100 rad/s",
-         [](S& s) {
-           s.motion = {100, true, 0};
-         }},
-        {"jumps 0.1 mm",
-         [](S& s) {
-           s.motion = {0, false, 1e-4f};
-         }},
-        {"jumps 1 cm to and fro",
-         [](S& s) {
-           s.motion = {0, true, 1e-2f};
-         }},
-        {"jumps 1 m",
-         [](S& s) {
-           s.motion = {0, false, 1};
-         }},
-        {"jumps 1 m to and fro, spins",
-         [](S& s) {
-           s.motion = {30, true, 1};
-         }},
-        {"jumps 50 m",
-         [](S& s) {
-           s.motion = {0, false, 50};
-         }},
-        {"jumps 1 km",
-         [](S& s) {
-           s.motion = {0, false, 1000};
-         }}}},
+        {"spins, 10 rad/s", [](S& s) { s.motion = {10, false, 0}; }},
+        {"spins, 100 rad/s", [](S& s) { s.motion = {100, false, 0}; }},
+        {"jerks, 100 rad/s", [](S& s) { s.motion = {100, true, 0}; }},
+        {"jumps 0.1 mm", [](S& s) { s.motion = {0, false, 1e-4f}; }},
+        {"jumps 1 cm to and fro", [](S& s) { s.motion = {0, true, 1e-2f}; }},
+        {"jumps 1 m", [](S& s) { s.motion = {0, false, 1}; }},
+        {"jumps 1 m to and fro, spins", [](S& s) { s.motion = {30, true, 1}; }},
+        {"jumps 50 m", [](S& s) { s.motion = {0, false, 50}; }},
+        {"jumps 1 km", [](S& s) { s.motion = {0, false, 1000}; }}}},
       {"longest link",
        {{"2 cm", [](S&) {}},
         {"0.01 mm", [](S& s) { s.longestLink = 1e-5f; }},
@@ -188,18 +146,9 @@ std::vector<Dimension> listed() {
       {"light",
        {{"from above", [](S&) {}},
         {"none", [](S& s) { s.settings.lights.clear(); }},
-        {"lamp 1 km away",
-         [](S& s) {
-           lampAt(s, {600, 800, 0});
-         }},
-        {"lamp in the hair",
-         [](S& s) {
-           lampAt(s, {0.01f, -0.15f, 0});
-         }},
-        {"lamp 0.01 mm from the pivot",
-         [](S& s) {
-           lampAt(s, {1e-5f, 0, 0});
-         }},
+        {"lamp 1 km away", [](S& s) { lampAt(s, {600, 800, 0}); }},
+        {"lamp in the hair", [](S& s) { lampAt(s, {0.01f, -0.15f, 0}); }},
+        {"lamp 0.01 mm from the pivot", [](S& s) { lampAt(s, {1e-5f, 0, 0}); }},
         {"three",
          [](S& s) {
            lampAt(s, {1, 1, 1});
@@ -209,14 +158,8 @@ std::vector<Dimension> listed() {
        false},
       {"wind",
        {{"still", [](S&) {}},
-        {"10 m/s",
-         [](S& s) {
-           s.settings.wind.velocity = {8, 0, 6};
-         }},
-        {"190 m/s, gusts of 1 mm",
-         [](S& s) {
-           s.settings.wind = {{-190, 0, 0}, 1, 1e-3f};
-         }}}},
+        {"10 m/s", [](S& s) { s.settings.wind.velocity = {8, 0, 6}; }},
+        {"190 m/s, gusts of 1 mm", [](S& s) { s.settings.wind = {{-190, 0, 0}, 1, 1e-3f}; }}}},
       {"body's shadow",
        {{"off", [](S&) {}}, {"on", [](S& s) { s.settings.bodyShadow = true; }}},
        false},

@@ -188,7 +188,7 @@ TEST(ChangedColliders, MoreThanThereMayBeAreRefused) {
   const std::string before = stateOf(p.scene.hair);
   p.more.resize(kMaxCapsules + 1, p.more.back());
   EXPECT_THROW(frame(p.body(), p.scene.settings, 1.0f / 60, p.scene.hair, p.scene.profile), Error);
-  EXPECT_EQ(stateOf(p.scene.hair), before);
+  EXPECT_TRUE(stateOf(p.scene.hair) == before);
 }
 
 // The same guides, cut to a share of their length.
@@ -262,7 +262,7 @@ TEST(ChangedGroom, ThatIsBadIsRefusedAndChangesNothing) {
   Groom bad = scene.groom;
   bad.weights[3] = glm::vec3(0.1f);
   EXPECT_THROW(changeGroom(bad, scene.settings, scene.hair), Error);
-  EXPECT_EQ(stateOf(scene.hair), before);
+  EXPECT_TRUE(stateOf(scene.hair) == before);
   EXPECT_EQ(scene.hair.groom, &scene.groom);
 }
 

@@ -79,12 +79,12 @@ TEST(Contract, LightingAPausedHairChangesNothingOfItsMotion) {
     light(other, paused.hair, paused.profile);
     ASSERT_EQ(stateOf(paused.hair), before);
   }
-  EXPECT_EQ(stateOf(paused.hair), stateOf(never.hair));
+  EXPECT_TRUE(stateOf(paused.hair) == stateOf(never.hair));
   light(paused.settings, never.hair, never.profile);
   paused.step();
   never.settings = paused.settings;
   never.step();
-  EXPECT_EQ(stateOf(paused.hair), stateOf(never.hair));
+  EXPECT_TRUE(stateOf(paused.hair) == stateOf(never.hair));
   EXPECT_EQ(paused.hair.colours, never.hair.colours);
 }
 
@@ -111,7 +111,7 @@ TEST(Contract, AFrameOfNoLengthOrLongerThanASecondIsRefusedAndChangesNothing) {
   for (const float seconds : {1.5f, 0.0f, -0.1f, std::numeric_limits<float>::infinity(),
                               std::numeric_limits<float>::quiet_NaN()}) {
     EXPECT_THROW(frame(scene.bodyAt(2), scene.settings, seconds, scene.hair, scene.profile), Error);
-    EXPECT_EQ(stateOf(scene.hair), before);
+    EXPECT_TRUE(stateOf(scene.hair) == before);
   }
   scene.step(1);
   EXPECT_LT(scene.stats().stretchMax, 1e-2f);

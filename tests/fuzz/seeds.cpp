@@ -1,29 +1,169 @@
-// Writes a small valid file of every format for the fuzzers to start from:
-//   fuzz_seeds FOLDER        makes FOLDER/hair/sample, FOLDER/tfx/sample ...
-#include <filesystem>
-#include <fstream>
-#include <iostream>
+#include "seeds.h"
+
+#include <algorithm>
 
 #include <tests/files/samples.h>
 
-int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: fuzz_seeds FOLDER\n";
-    return 2;
+namespace hair {
+
+namespace {
+
+// With and without each optional array, strands of equal and of other lengths.
+std::vector<std::string> hairSeeds() {
+  std::vector<std::string> seeds;
+  for (int arrays = 0; arrays < 8; ++arrays) {
+    HairFile hair = sampleHair();
+    if (!(arrays & 1)) hair.thickness.clear();
+    if (!(arrays & 2)) hair.transparency.clear();
+    if (!(arrays & 4)) hair.colours.clear();
+    seeds.push_back(hairBytes(hair));
   }
-  const std::pair<const char*, std::string> samples[] = {
-      {"hair", hair::hairBytes(hair::sampleHair())},
-      {"tfx", hair::sampleTfx()},
-      {"data", hair::sampleData()},
-      {"bvh", hair::sampleBvh()},
-      {"obj", hair::sampleObj()}};
-  for (const auto& [format, bytes] : samples) {
-    const auto folder = std::filesystem::path(argv[1]) / format;
-    std::filesystem::create_directories(folder);
-    std::ofstream file(folder / "sample", std::ios::binary);
-    if (!(file << bytes).flush()) {
-      std::cerr << "cannot write " << folder << '\n';
-      return 1;
-    }
-  }
+  HairFile equal;
+  for (const float x : {0.0f, 1.0f})
+    equal.strands.append(std::vector<glm::vec3>{{x, 0, 0}, {x, 1, 0}});
+  equal.info = std::string(88, 'i');
+  seeds.push_back(hairBytes(equal));
+  return seeds;
 }
+
+// Without strand UV; and with offsets of all the arrays that are only checked.
+std::vector<std::string> tfxSeeds() {
+  const std::string full = sampleTfx();
+  std::string all = full;
+  for (const std::size_t field : {24, 28, 32}) all = withBytes(all, field, std::uint32_t{200});
+  return {full, withBytes(full, 20, 0u), all};
+}
+
+std::vector<std::string> dataSeeds() {
+  std::string one;
+  putBytes(one, std::int32_t{1});
+  putBytes(one, std::int32_t{1});
+  for (const float c : {1.0f, 2.0f, 3.0f}) putBytes(one, c);
+  return {sampleData(), one};
+}
+
+// Somebody with a name for every part, in some order of channels; positions on every joint or on
+// the hips alone; frames that jump at the start and flip in the middle.
+std::string person(bool otherNames, bool positions) {
+  struct Part {
+    const char *name, *otherName;
+    int depth;
+    const char* offset;
+  };
+  static constexpr Part kParts[] = {{"Hips", "hip", 0, "0 90 0"},
+                                    {"Spine", "abdomen", 1, "0 20 0"},
+                                    {"Chest", "chest", 2, "0 20 0"},
+                                    {"Neck", "neck", 3, "0 15 0"},
+                                    {"Head", "head", 4, "0 10 0"},
+                                    {"LeftArm", "lShldr", 3, "15 10 0"},
+                                    {"LeftForeArm", "lForeArm", 4, "28 0 0"},
+                                    {"LeftHand", "lHand", 5, "25 0 0"},
+                                    {"RightArm", "rShldr", 3, "-15 10 0"},
+                                    {"RightForeArm", "rForeArm", 4, "-28 0 0"},
+                                    {"RightHand", "rHand", 5, "-25 0 0"},
+                                    {"LeftUpLeg", "lThigh", 1, "10 0 0"},
+                                    {"LeftLeg", "lShin", 2, "0 -42 0"},
+                                    {"LeftFoot", "lFoot", 3, "0 -42 0"},
+                                    {"RightUpLeg", "rThigh", 1, "-10 0 0"},
+                                    {"RightLeg", "rShin", 2, "0 -42 0"},
+                                    {"RightFoot", "rFoot", 3, "0 -42 0"}};
+  std::string bvh = "HIERARCHY\n", frame;
+  int open = 0, channels = 0;
+  const auto closeTo = [&](int depth) {
+    for (; open > depth; --open) bvh += "}\n";
+  };
+  for (std::size_t i = 0; i < std::size(kParts); ++i) {
+    const Part& part = kParts[i];
+    closeTo(part.depth);
+    bvh += text(i == 0 ? "ROOT " : "JOINT ", otherNames ? part.otherName : part.name, " {\nOFFSET ",
+                part.offset, '\n');
+    const bool moves = i == 0 || positions;
+    bvh += moves ? "CHANNELS 6 Xposition Yposition Zposition " : "CHANNELS 3 ";
+    bvh += otherNames ? "Xrotation Yrotation Zrotation\n" : "Zrotation Yrotation Xrotation\n";
+    channels += moves ? 6 : 3;
+    ++open;
+    const bool leaf = i + 1 == std::size(kParts) || kParts[i + 1].depth <= part.depth;
+    if (leaf) bvh += "End Site\n{\nOFFSET 0 -10 5\n}\n";
+  }
+  closeTo(0);
+  constexpr int kFrames = 12;
+  bvh += text("MOTION\nFrames: ", kFrames, "\nFrame Time: 0.0333\n");
+  for (int f = 0; f < kFrames; ++f) {
+    for (int c = 0; c < channels; ++c)
+      bvh += text(f < 2               ? 0
+                  : f == 6 && c == 20 ? 179
+                                      : (f + c) % 7 * 5,
+                  c + 1 < channels ? ' ' : '\n');
+  }
+  return bvh;
+}
+
+std::vector<std::string> objSeeds() {
+  // A shared edge of three faces, a face turned over, one without area, corners from behind.
+  return {sampleObj(),
+          "\xEF\xBB\xBFv 0 0 0\rv 1 0 0\rv 0 1 0\rv 0 0 1\rg a\rusemtl b\r"
+          "f 1 2 3\rf 1 2 4\rf 2 1 3\rf 1 1 2\rf -4 -3 -2 -1\rf 1 2 1 3\r"};
+}
+
+// What is typed with blanks, as lines.
+std::string lines(std::string words) {
+  std::replace(words.begin(), words.end(), ' ', '\n');
+  return words;
+}
+
+// Every option of every command at least once.
+std::vector<std::string> optionSeeds() {
+  static const std::string kSubject =
+      " --hair a.tfx --head a.obj --head b.obj --scale 0.01 --up z-back --strands 99 --points 9 "
+      "--motion a.bvh --motion-scale 0.02 --guides 50";
+  static const std::string kPerformance =
+      " --fps 30 --threads 2 --cells 64 --light 0,-1,0 --point 1,2,3,0.5,0.5,1 --light "
+      "1,0,0,1,0,0 --wind -1,0,2 --no-shadow --no-self-collision --settle 0.5 --solver relaxation "
+      "--solver-iterations 8";
+  static const std::string kResults = " --profile a.csv --stats b.csv --hash";
+  std::vector<std::string> seeds;
+  for (const std::string& words : {
+           std::string("hair --help"),
+           std::string("dance --help"),
+           std::string("hair info a.hair --scale 0.01 --up z"),
+           std::string("hair convert a.data b.hair --strands 5 --points 7 --min-length 0.1 --up x"),
+           "hair simulate --frames 3 --out a.hair --save-state a.state" + kSubject + kPerformance +
+               kResults,
+           std::string("hair simulate --style curly --still --frames=3"),
+           "hair render --out a.png --frames 3 --yaw -90 --pitch 10 --distance 2 --width 64 "
+           "--height 32 --side-by-side --show-guides --show-colliders --show-cells" +
+               kSubject + kPerformance,
+           std::string("hair render --style LONG --out a.exr"),
+           std::string(
+               "hair measure --style smooth --width 1e-4 --alpha 0.5 --light 0,-1,0 --point 0,2,0 "
+               "--footprint 1e-3 --footprint 1e-2 --samples 9 --rays 8 --seed 7 --methods "
+               "auto,shadow-map --max-error 0.1 --budget-ms 5 --repeats 2 --flicker-steps 0 "
+               "--threads 1 --csv a.csv --html a.html"),
+           std::string("hair measure --dump a.csv --methods quick"),
+           "hair measure-motion --frames 9 --early 3 --reference 8 --substeps 1,2 --iterations 1,2 "
+           "--relaxation 4,8 --plot a.svg "
+           "--guide-counts 9,5 --csv a.csv" +
+               kSubject + kPerformance,
+           "hair plan --frames 20 --csv a.csv" + kSubject + kPerformance,
+           "dance --headless --frames 9 --out a.mp4 --video-fps 24 --width 64 --height 32 --yaw 5 "
+           "--pitch -5 --distance 3 --side-by-side" +
+               kSubject + kPerformance + kResults,
+           std::string("dance --style long --still"),
+       })
+    seeds.push_back(lines(words));
+  return seeds;
+}
+
+}  // namespace
+
+std::vector<FuzzSeeds> fuzzSeeds() {
+  return {{"hair", hairSeeds()},
+          {"tfx", tfxSeeds()},
+          {"data", dataSeeds()},
+          {"bvh", {sampleBvh(), person(false, false)}},
+          {"clip", {person(false, false), person(true, true), sampleBvh()}},
+          {"obj", objSeeds()},
+          {"options", optionSeeds()}};
+}
+
+}  // namespace hair

@@ -1,28 +1,22 @@
 #include "targets.h"
 
-#include <cstdlib>
-#include <iostream>
+#include <cmath>
 
 #include <libhair/core/error.h>
 #include <libhair/files/bvh_file.h>
 #include <libhair/files/data_file.h>
 #include <libhair/files/hair_file.h>
 #include <libhair/files/tfx_file.h>
+#include <libhair/motion/motion.h>
 #ifdef HAIR_WITH_MODEL
 #include <libhair/files/obj.h>
 #endif
 
+#include "promise.h"
+
 namespace hair {
 
 namespace {
-
-// What a reader promises of whatever it returns; a broken promise ends the program, as the
-// sanitizers do.
-void promise(bool kept, const char* what) {
-  if (kept) return;
-  std::cerr << "broken promise: " << what << '\n';
-  std::abort();
-}
 
 template <class Read>
 bool readOrError(Read&& read) {
@@ -44,12 +38,27 @@ void promiseStrands(const StrandSet& strands, std::size_t minPoints) {
     promise(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "points are finite");
 }
 
+// What was read is written and read again; but coordinates that are beyond all scales are not
+// written.
+void promiseTheWayBack(const HairFile& hair) {
+  std::string bytes;
+  try {
+    bytes = hairBytes(hair);
+  } catch (const Error& e) {
+    promise(std::string_view(e.what()).find("check the scale") != std::string_view::npos,
+            "only a wrong scale is no .hair file");
+    return;
+  }
+  promise(hairBytes(parseHair(bytes, "fuzz")) == bytes, "what is written is read");
+}
+
 }  // namespace
 
 bool fuzzHair(std::string_view bytes) {
   return readOrError([&] {
     const HairFile hair = parseHair(bytes, "fuzz");
     promiseStrands(hair.strands, 1);
+    promiseTheWayBack(hair);
     for (std::size_t n : {hair.thickness.size(), hair.transparency.size(), hair.colours.size()})
       promise(n == 0 || n == hair.strands.pointCount(), "one item a point");
   });
@@ -84,6 +93,30 @@ bool fuzzBvh(std::string_view bytes) {
     promise(channels == bvh.channelCount, "channels are counted");
     promise(bvh.values.size() == bvh.frameCount() * bvh.channelCount, "rows are whole");
   });
+}
+
+bool fuzzClip(std::string_view bytes) {
+  const auto finite = [](glm::vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  };
+  const auto promiseFrame = [&](const RigidTransform& t) {
+    promise(finite(t.translation) && std::abs(glm::length(t.rotation) - 1) < 1e-3f,
+            "joints are somewhere and turned somehow");
+  };
+  try {
+    const Bvh bvh = parseBvh(bytes, "fuzz");
+    const Motion motion(clipFromBvh(bvh));
+    for (const double part : {0.0, 0.4, 1.0}) {
+      const BodyPose pose = motion.pose(part * motion.duration());
+      promiseFrame(pose.worldFromHead);
+      for (const RigidTransform& joint : pose.worldFromJoint) promiseFrame(joint);
+      for (const Capsule& c : pose.capsules)
+        promise(finite(c.a) && finite(c.b) && c.radius >= 0, "capsules have a size");
+    }
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 #ifdef HAIR_WITH_MODEL

@@ -4,7 +4,7 @@
 
 namespace hair {
 
-/// One reader each, fed with any bytes: it either reads what it promises or throws Error, which
+/// A reader each, fed with any bytes: it either reads what it promises or throws Error, which
 /// is caught here; anything else is a defect. Shared by the fuzzers and the ordinary tests.
 /// True where the bytes were read.
 
@@ -13,5 +13,11 @@ bool fuzzTfx(std::string_view bytes);
 bool fuzzData(std::string_view bytes);
 bool fuzzBvh(std::string_view bytes);
 bool fuzzObj(std::string_view bytes);
+/// A .bvh file as what it is for: a body that moves.
+bool fuzzClip(std::string_view bytes);
+
+/// The command line of a program up to its work: a line a word, `hair` or `dance` the first. True
+/// where it was understood. (options_target.cpp)
+bool fuzzOptions(std::string_view lines);
 
 }  // namespace hair

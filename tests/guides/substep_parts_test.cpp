@@ -62,7 +62,7 @@ void nearest(std::span<const Capsule> now, std::span<const Capsule> before, floa
   const Vec3 away(glm::vec3(100));
   const Vec3 anchors[kAnchoredPoints] = {away, away, away};
   for (std::size_t c = 0; c < now.size(); ++c) lookAt(now[c], before[c], anchors, skin, near[c]);
-  const SubstepColliders none{glm::mat3(1), glm::mat3(1), {}, {}, now, before, {}, nullptr};
+  const SubstepColliders none{glm::mat3(1), glm::mat3(1), {}, {}, now, before, {}, nullptr, {}, {}};
   Clearance unknown(0);
   ContactPlane plane;
   nearestPlane(p, 5, 0.1f, skin, {none, {near, now.size()}, kFar, false}, {kFar, 0}, unknown,

@@ -147,6 +147,12 @@ TEST(MeshSdf, AnEmptyMeshAndAnAbsurdGridAreErrors) {
   EXPECT_THROW(MeshSdf(TriangleMesh{}, 0.005f, 0.01f), Error);
   EXPECT_THROW(MeshSdf(sphere(0.1f, 8), 1e-5f, 0.01f), Error);
   EXPECT_THROW(MeshSdf(sphere(0.1f, 8), 0, 0.01f), Error);
+  TriangleMesh broken = sphere(0.1f, 8);
+  broken.triangles[3].y = static_cast<std::uint32_t>(broken.positions.size());
+  EXPECT_THROW(MeshSdf(broken, 0.005f, 0.01f), Error);
+  broken = sphere(0.1f, 8);
+  broken.positions[3].y = NAN;
+  EXPECT_THROW(MeshSdf(broken, 0.005f, 0.01f), Error);
 }
 
 TEST(SurfaceNets, VerticesLieOnTheSurfaceAndItIsClosed) {

@@ -1,0 +1,137 @@
+// The command lines of the commands that do not measure, and all commands together.
+#include <apps/hair/options.h>
+
+#include <memory>
+
+#include <apps/common/command_line.h>
+
+namespace hair {
+
+namespace {
+
+void addInfo(CLI::App& app, Run& run) {
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* command = app.add_subcommand("info", "Say what a file holds");
+  command->add_option("FILE", options->file, ".hair, .tfx, .data, .obj or .bvh")->required();
+  addReadOptions(*command, options->read);
+  command->footer(
+      "Examples:\n"
+      "  hair info straight.hair\n"
+      "  hair info exported.hair --scale 0.01 --up z-back   # centimetres, from Blender\n"
+      "A head is about 0.2 m high: if the bounds say otherwise, give --scale.");
+  command->callback([options, &run] { run = [options] { runInfo(*options); }; });
+}
+
+void addConvert(CLI::App& app, Run& run) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command =
+      app.add_subcommand("convert", "Write strands of any format as .hair in metres, +Y up");
+  command->add_option("IN", options->in, ".hair, .tfx or .data")->required();
+  command->add_option("OUT", options->out, "file to write, .hair")
+      ->required()
+      ->check(endsWith(".hair"));
+  addReadOptions(*command, options->read);
+  command
+      ->add_option("--strands", options->strands,
+                   "keep so many strands, a random choice that is always the same")
+      ->check(CLI::Range(1, 2'000'000'000));
+  command
+      ->add_option("--points", options->points,
+                   "points of every strand, evenly along its length; default: as they are")
+      ->check(CLI::Range(2, 65536));
+  command
+      ->add_option("--min-length", options->minLength,
+                   "drop strands that are shorter, metres; default 0.001")
+      ->check(within(0, 1e6));
+  command->footer(
+      "Examples:\n"
+      "  hair convert sintel.tfx sintel.hair\n"
+      "  hair convert strands.data light.hair --strands 2000 --points 32\n"
+      "Colours, thickness and transparency of .hair files come along.");
+  command->callback([options, &run] { run = [options] { runConvert(*options); }; });
+}
+
+void addSimulate(CLI::App& app, Run& run) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command =
+      app.add_subcommand("simulate", "Simulate hair; write strands, times, statistics or a hash");
+  addSubjectOptions(*command, options->subject);
+  addPerformanceOptions(*command, options->performance, options->threads);
+  command->add_option("--frames", options->frames, "frames to simulate; default 120")
+      ->check(CLI::Range(1, 10'000'000));
+  command
+      ->add_option("--out", options->out,
+                   "strands of every frame: out.hair becomes out.0000.hair, out.0001.hair ...")
+      ->check(endsWith(".hair"));
+  command
+      ->add_option("--load-state", options->loadState,
+                   "go on from a saved state of the same hair, at the frame of its time")
+      ->check(CLI::ExistingFile);
+  command->add_option("--save-state", options->saveState, "leave the state after the last frame");
+  addResultOptions(*command, options->results);
+  command->footer(
+      "Examples:\n"
+      "  hair simulate --style smooth --frames 600 --hash\n"
+      "  hair simulate --hair sintel.tfx --head sintel.obj --motion dance.bvh --out sintel.hair\n"
+      "  hair simulate --style curly --profile times.csv --stats stats.csv");
+  command->callback([options, &run] { run = [options] { runSimulate(*options); }; });
+}
+
+void addRender(CLI::App& app, Run& run) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Draw one picture of hair under any light");
+  addSubjectOptions(*command, options->subject);
+  addPerformanceOptions(*command, options->performance, options->threads);
+  command->add_option("--out", options->out, "the picture, .png or .exr")
+      ->required()
+      ->check([](const std::string& name) {
+        return name.ends_with(".exr") ? endsWith(".exr")(name) : endsWith(".png")(name);
+      });
+  command
+      ->add_option("--frames", options->frames,
+                   "frames of the motion before the picture; default 0")
+      ->check(CLI::Range(0, 10'000'000));
+  command
+      ->add_option("--yaw", options->yaw, "degrees about the head, 0: before the face; default 30")
+      ->check(within(-360, 360));
+  command->add_option("--pitch", options->pitch, "degrees from above; default 3")
+      ->check(within(-89.0, 89.0));
+  command->add_option("--distance", options->distance, "metres; default 0.95")
+      ->check(within(0.05, 100.0));
+  command->add_option("--width", options->width, "pixels; default 960")
+      ->check(CLI::Range(16, 16384));
+  command->add_option("--height", options->height, "pixels; default 960")
+      ->check(CLI::Range(16, 16384));
+  command->add_flag("--side-by-side", options->sideBySide, "left half without self-shadowing");
+  command->add_flag("--show-guides", options->shown.guides, "draw the simulated strands");
+  command->add_flag("--show-colliders", options->shown.colliders, "draw the body's capsules");
+  command->add_flag("--show-cells", options->shown.cells,
+                    "draw the occupied cells by transmittance");
+  command->footer(
+      "Examples:\n"
+      "  hair render --style smooth --out smooth.png --side-by-side --width 1600 --height 800\n"
+      "  hair render --hair sintel.tfx --head sintel.obj --light 0.5,-0.8,-0.35 --out sintel.png\n"
+      "  hair render --style curly --motion dance.bvh --frames 300 --out frame300.exr\n"
+      "  hair render --light 0.9,-0.3,-0.3,1.3,0.7,0.3 --point -0.5,1.8,0.3,0.3,0.6,1.2 --out "
+      "a.png\n"
+      "In a picture head and body shadow the hair for every light; the first four lights shine\n"
+      "on head, body and floor, where one at a point casts shadows within 75 degrees of the way\n"
+      "to the head.");
+  command->callback([options, &run] { run = [options] { runRender(*options); }; });
+}
+
+}  // namespace
+
+void addCommands(CLI::App& app, Run& run, const std::string& commandLine) {
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 done, 1 bad input, 2 bad usage.");
+  addInfo(app, run);
+  addConvert(app, run);
+  addSimulate(app, run);
+  addRender(app, run);
+  addMeasure(app, run, commandLine);
+  addMeasureMotion(app, run);
+  addPlan(app, run);
+}
+
+}  // namespace hair

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include <libhair/frame.h>
+
+namespace hair {
+
+/// Colliders that come to hair where they were none: capsules grow from nothing, meshes from next
+/// to nothing about their middles, planes rise from below the lowest guide point. Hair finds its
+/// way out of them instead of being thrown out.
+class GrowingBody {
+ public:
+  /// `body` and what it refers to must outlive this.
+  GrowingBody(const BodyState& body, const GuideStrands& guides);
+  /// 0: nothing there, 1: all of it. Holds until the next call.
+  BodyState at(float share);
+
+ private:
+  BodyState full_;
+  std::vector<Capsule> capsules_;
+  std::vector<Plane> planes_;
+  std::vector<MeshCollider> meshes_;
+  std::vector<float> below_;  // metres from each plane down to the lowest guide point
+};
+
+}  // namespace hair

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include <libhair/core/strands.h>
+#include <libhair/motion/colliders.h>
+
+namespace hair {
+
+/// A plane at the end of a substep. Its surface moved by carry · (p - point) + drift at p.
+struct PlanePlace {
+  glm::vec3 normal, point;
+  glm::mat3 carry;
+  glm::vec3 drift;
+};
+
+/// A mesh at the end of a substep, and where it was before.
+struct MeshPlace {
+  const MeshSdf* sdf;
+  glm::mat3 meshFromWorld;  ///< of p - at
+  glm::mat3 turn;           ///< worldFromMesh, without the scale
+  glm::vec3 at;
+  float scale;
+  glm::mat3 worldFromMeshBefore;
+  glm::vec3 atBefore;
+  Bounds box;  ///< world space, of all that its grid covers
+};
+
+/// Where planes and meshes are, counted from `origin`, in each of so many substeps of a frame, one
+/// substep after the other.
+/// `before` may be empty of a kind: it stood where it is. Throws Error for scenery that is not
+/// valid, and for counts that differ.
+void cutScenery(const Scenery& before, const Scenery& after, glm::vec3 origin, std::size_t substeps,
+                std::vector<PlanePlace>& planes, std::vector<MeshPlace>& meshes);
+
+}  // namespace hair
