@@ -146,6 +146,7 @@ void saveState(const Hair& hair, std::ostream& out) {
   append(bytes, std::span<const Pose>(poses));
   add(hair.capsules), add(hair.planes);
   std::vector<Placement> placements;
+  placements.reserve(hair.meshes.size());
   for (const MeshCollider& mesh : hair.meshes)
     placements.push_back({poseOf(mesh.worldFromMesh), mesh.scale});
   add(placements);
