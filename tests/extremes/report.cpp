@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <iomanip>
 #include <map>
 #include <ostream>
-#include <regex>
 
 #include "bad_inputs.h"
 
@@ -52,8 +52,21 @@ Sum sumOf(const std::vector<Done>& all, Matches&& matches) {
 
 /// An Error's message without its figures and advice.
 std::string reasonOf(const std::string& message) {
-  static const std::regex figures("-?(nan|inf|[0-9][0-9.]*(e[-+]?[0-9]+)?)");
-  return std::regex_replace(message.substr(0, message.find(';')), figures, "…");
+  const std::string what = message.substr(0, message.find(';'));
+  const auto isOf = [](char c, const char* more) {
+    return (c >= '0' && c <= '9') || (c != '\0' && std::strchr(more, c));
+  };
+  std::string reason;
+  for (std::size_t i = 0; i < what.size();) {
+    const std::size_t start = i;
+    const std::size_t unsign = what[i] == '-' ? i + 1 : i;
+    if (what.compare(unsign, 3, "nan") == 0 || what.compare(unsign, 3, "inf") == 0)
+      i = unsign + 3;
+    else if (isOf(what.c_str()[unsign], ""))
+      for (i = unsign + 1; isOf(what.c_str()[i], what[i - 1] == 'e' ? "+-" : ".e");) ++i;
+    reason += i > start ? "…" : std::string(1, what[i++]);
+  }
+  return reason;
 }
 
 void writeReasons(const std::vector<Done>& all, std::ostream& out) {
