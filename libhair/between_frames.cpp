@@ -112,6 +112,7 @@ void takeMotion(const GuideStrands& from, GuideStrands& to) {
 }  // namespace
 
 void teleport(const RigidTransform& worldFromHead, Hair& hair) {
+  validate(worldFromHead);
   const RigidTransform& old = hair.worldFromHead;
   const Jump jump{glm::normalize(worldFromHead.rotation * glm::conjugate(old.rotation)),
                   old.translation, worldFromHead.translation};
@@ -135,11 +136,10 @@ void moveOrigin(glm::vec3 origin, Hair& hair) {
 void changeColliders(const BodyState& body, const FrameSettings& settings, Hair& hair) {
   require(body.capsules.size() <= kMaxCapsules, "changeColliders: ", body.capsules.size(),
           " capsules; take at most ", kMaxCapsules);
+  validate(body.capsules);
   validate(body.scenery);
   bringOut(body, settings.guides, hair.head, hair.workspace, hair.guides);
-  const RigidTransform head = hair.worldFromHead;
-  hair.remember(body);
-  hair.worldFromHead = head;
+  hair.remember({hair.worldFromHead, body.capsules, body.scenery});
 }
 
 bool changeGroom(const Groom& groom, const FrameSettings& settings, Hair& hair) {

@@ -9,7 +9,8 @@ namespace hair {
 
 /// To another place with its head: everything that moves is turned and moved as the head is to get
 /// to `worldFromHead`, velocities and the colliders of the frame before included, so that the hair
-/// keeps its shape and does not see the jump. Gravity and wind stay the world's.
+/// keeps its shape and does not see the jump. Gravity and wind stay the world's. Throws Error for a
+/// head that is not finite.
 void teleport(const RigidTransform& worldFromHead, Hair& hair);
 
 /// The world's origin moves to `origin`: what is handed over from now on counts from there. Hair
@@ -23,7 +24,7 @@ void moveOrigin(glm::vec3 origin, Hair& hair);
 /// that are inside one are brought out, in no time and without a change of their velocities; guides
 /// that are clear of all keep every bit. frame() does this by itself where the body has more or
 /// fewer colliders than before; where as many others take their places, it must be told.
-/// Throws Error for more than kMaxCapsules capsules.
+/// Throws Error for more than kMaxCapsules capsules, and for colliders that are not valid.
 void changeColliders(const BodyState& body, const FrameSettings& settings, Hair& hair);
 
 /// Another hairstyle on the same head, from now on: `groom` must outlive the hair. Where it has as

@@ -266,5 +266,20 @@ TEST(ChangedGroom, ThatIsBadIsRefusedAndChangesNothing) {
   EXPECT_EQ(scene.hair.groom, &scene.groom);
 }
 
+TEST(BetweenFrames, WhatIsNotFiniteIsRefusedAndLeavesTheHairAsItWas) {
+  Scene scene(small(Style::Smooth), Motion::still());
+  scene.step();
+  const std::string before = stateOf(scene.hair);
+  BodyState body = scene.bodyAt(0);
+  std::vector<Capsule> capsules(body.capsules.begin(), body.capsules.end());
+  capsules.push_back({{NAN, 0, 0}, {0, 1, 0}, 0.1f});
+  body.capsules = capsules;
+  EXPECT_THROW(changeColliders(body, scene.settings, scene.hair), Error);
+  EXPECT_THROW(frame(body, scene.settings, 1.0f / 60, scene.hair, scene.profile), Error);
+  EXPECT_THROW(teleport({{1, 0, 0, 0}, {0, INFINITY, 0}}, scene.hair), Error);
+  EXPECT_TRUE(stateOf(scene.hair) == before);
+  scene.step();
+}
+
 }  // namespace
 }  // namespace hair
