@@ -16,12 +16,7 @@ namespace {
 
 /// Every guide of a ball is drawn.
 Groom ball() {
-  Groom groom = test::sphereGroom(20, 9, 0.1f);
-  for (std::uint32_t g = 0; g < groom.guideCount(); ++g) {
-    groom.parents.push_back(glm::uvec3(g));
-    groom.weights.push_back({1, 0, 0});
-    groom.first.push_back(10 * (g + 1));
-  }
+  Groom groom = test::drawnSphereGroom(20, 9, 0.1f);
   groom.offsets.resize(groom.pointCount());
   return groom;
 }

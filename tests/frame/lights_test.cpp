@@ -17,12 +17,7 @@ namespace {
 
 /// Every guide of a ball is drawn, and stands for many hairs.
 Groom furryBall() {
-  Groom groom = test::sphereGroom(1500, 9, 0.06f);
-  for (std::uint32_t g = 0; g < groom.guideCount(); ++g) {
-    groom.parents.push_back(glm::uvec3(g));
-    groom.weights.push_back({1, 0, 0});
-    groom.first.push_back(10 * (g + 1));
-  }
+  Groom groom = test::drawnSphereGroom(1500, 9, 0.06f);
   groom.fibre.hairsPerStrand = 40;
   return groom;
 }

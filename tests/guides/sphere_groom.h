@@ -22,6 +22,17 @@ inline Groom sphereGroom(std::uint32_t strands, std::uint32_t links, float lengt
   return groom;
 }
 
+/// The same, every guide drawn.
+inline Groom drawnSphereGroom(std::uint32_t strands, std::uint32_t links, float length) {
+  Groom groom = sphereGroom(strands, links, length);
+  for (std::uint32_t g = 0; g < strands; ++g) {
+    groom.parents.push_back(glm::uvec3(g));
+    groom.weights.push_back({1, 0, 0});
+    groom.first.push_back(groom.first.back() + groom.pointsPerGuide);
+  }
+  return groom;
+}
+
 /// One strand from the origin along `direction`.
 inline Groom oneStrand(glm::vec3 direction, float length, std::uint32_t links) {
   Groom groom;

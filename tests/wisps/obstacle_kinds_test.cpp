@@ -51,6 +51,15 @@ struct Passing {
 
 const RigidTransform kHead{glm::angleAxis(0.8f, glm::vec3(0, 0.6f, 0.8f)), {1, 2, -3}};
 
+TEST(Wisps, NoDrawnPointIsLeftInsideACapsule) {
+  Passing hair;
+  const Capsule ball{{0, 0, 0}, {0, 0, 0}, 0.08f};
+  const auto distance = [&](glm::vec3 p) { return distanceAndGradient(ball, p).w; };
+  EXPECT_LT(hair.deepest(distance), -0.05f) << "nothing to avoid";
+  interpolateWisps(hair.guides, {{}, {}, {&ball, 1}, {&ball, 1}, nullptr}, hair.wisps);
+  EXPECT_GE(hair.deepest(distance), hair.wisps.settings.clearance - 1e-6f);
+}
+
 TEST(Wisps, NoDrawnPointIsLeftInsideTheHeadsField) {
   Passing hair(kHead);
   const auto sdf = test::ballSdf(0.08f);

@@ -111,37 +111,6 @@ TEST(Wisps, FramesStayOrthonormalAndDoNotTwist) {
   }
 }
 
-TEST(Wisps, NoDrawnPointIsLeftInsideACollider) {
-  // Two guides that pass a ball on either side: what is drawn between them would go through it.
-  Groom groom;
-  groom.pointsPerGuide = 12;
-  for (const float side : {-1.0f, 1.0f})
-    for (int i = 0; i < 12; ++i) {
-      const float t = static_cast<float>(i) / 11;
-      groom.guidePoints.emplace_back(side * (0.02f + 0.09f * std::sin(3.14159265f * t)),
-                                     0.3f - 0.6f * t, 0);
-    }
-  const std::uint32_t n = 40;
-  for (int s = 0; s <= 20; ++s) {
-    const float w = static_cast<float>(s) / 20;
-    groom.parents.emplace_back(w < 0.5f ? 0 : 1, w < 0.5f ? 1 : 0, 0);
-    groom.weights.emplace_back(std::max(w, 1 - w), std::min(w, 1 - w), 0);
-    groom.first.push_back(groom.first.back() + n);
-  }
-  const GuideStrands guides(groom, {});
-  Wisps wisps(groom, guides);
-  const Capsule ball{{0, 0, 0}, {0, 0, 0}, 0.08f};
-  const auto deepest = [&] {
-    float d = 1;
-    for (glm::vec3 p : wisps.points) d = std::min(d, distanceAndGradient(ball, p).w);
-    return d;
-  };
-  interpolateWisps(guides, {}, wisps);
-  EXPECT_LT(deepest(), -0.05f) << "the scene no longer needs avoiding";
-  interpolateWisps(guides, {{}, {}, {&ball, 1}, {&ball, 1}, nullptr}, wisps);
-  EXPECT_GE(deepest(), -1e-6f);
-}
-
 TEST(Wisps, ATipIsKeptOutOfAColliderThatNothingElseOfItsStrandMeets) {
   for (const std::uint32_t n : {9u, 16u, 17u, 33u}) {
     Groom groom;
