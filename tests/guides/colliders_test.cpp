@@ -187,7 +187,7 @@ TEST(Colliders, HairOnAScaledMovingMeshMovesAsOnTheScaledMeshMoving) {
     EXPECT_LT(glm::distance(hair[0].point(0, i), hair[1].point(0, i)), 1e-4f);
 }
 
-TEST(Colliders, ATurningPlaneCarriesWhatLiesOnIt) {
+TEST(Colliders, ATurningPlaneLiftsWhatLiesOnIt) {
   // Seen from the hair: the plane tips about its own point, far from it, and lifts the hair.
   const GuideSettings settings;
   GuideStrands guides = lyingStrand(settings);
