@@ -1,6 +1,6 @@
-# cmake --install: headers, libraries, and what find_package(hair) reads. hair::model and
-# hair::embree have files of targets of their own, so that whoever does not ask for them needs
-# neither OpenMesh nor Embree.
+# cmake --install: headers, libraries, and what find_package(hair) reads. hair::model,
+# hair::hair_mesh and hair::embree have files of targets of their own, so that whoever does not ask
+# for them needs neither OpenMesh nor Embree.
 include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/hair")
 
@@ -12,6 +12,10 @@ if(HAIR_WITH_MODEL)
   install(TARGETS hair_model EXPORT hairModelTargets COMPONENT library)
   install(EXPORT hairModelTargets NAMESPACE hair:: DESTINATION "${package_folder}"
     COMPONENT library)
+endif()
+if(HAIR_WITH_HAIR_MESH)
+  install(TARGETS hair_mesh EXPORT hairMeshTargets COMPONENT library)
+  install(EXPORT hairMeshTargets NAMESPACE hair:: DESTINATION "${package_folder}" COMPONENT library)
 endif()
 if(HAIR_WITH_EMBREE)
   install(TARGETS hair_embree EXPORT hairEmbreeTargets COMPONENT library)
