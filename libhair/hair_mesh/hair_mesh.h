@@ -14,9 +14,9 @@ inline constexpr std::uint32_t kNoVertex = 0xffffffffu;
 
 /// Polygons of any number of sides, counter-clockwise seen from outside.
 struct PolygonMesh {
-  std::vector<glm::vec3> positions;             ///< [vertexCount], metres
+  std::vector<glm::vec3> positions;              ///< [vertexCount], metres
   std::vector<std::uint32_t> firstCorner = {0};  ///< [faceCount + 1], never decreasing
-  std::vector<std::uint32_t> corners;           ///< [cornerCount], vertex of each corner
+  std::vector<std::uint32_t> corners;            ///< [cornerCount], vertex of each corner
 
   std::size_t faceCount() const { return firstCorner.size() - 1; }
   std::span<const std::uint32_t> face(std::size_t f) const {
@@ -53,7 +53,7 @@ struct HairMesh {
 
   std::vector<std::uint32_t> firstCorner = {0};  ///< [bundleCount + 1]
   std::vector<std::uint32_t> lastLayer;          ///< [bundleCount], n_j: the tip's layer
-  std::vector<Layer> layers;                     ///< [layerCount], root first; the last is not empty
+  std::vector<Layer> layers;  ///< [layerCount], root first; the last is not empty
 
   std::size_t bundleCount() const { return lastLayer.size(); }
   std::size_t cornerCount() const { return firstCorner.back(); }
@@ -84,7 +84,8 @@ HairMesh makeHairMesh(const PolygonMesh& scalp);
 
 /// What breaks the constraints of section 3.1, and where, in one sentence ("layer 2, face of bundle
 /// 7: ..."); empty for a valid mesh. Checked in this order:
-/// - arrays: sizes, offsets, indices, at least 3 sides, no vertex twice in a face, finite positions;
+/// - arrays: sizes, offsets, indices, at least 3 sides, no vertex twice in a face, finite
+/// positions;
 /// - faces: each on one of the layer below, tip layers as lastLayer says, the top layer not empty;
 /// - vertices: corners of one vertex stand on one vertex of the layer below (one-to-many, upward),
 ///   which is `below`; each is used by a face;

@@ -2,6 +2,8 @@
 
 namespace hair {
 
-std::string whyInvalid(const HairMesh&) { return {}; }
+std::string whyInvalid(const HairMesh&) {
+  return {};
+}
 
 }  // namespace hair
