@@ -15,9 +15,9 @@ struct PlacementSettings {
 
 struct PlacementResult {
   std::uint32_t iterations = 0;
-  float residual = 0;     ///< relative, what is left
+  float residual = 0;  ///< relative, what is left
   bool converged = true;
-  bool unique = true;     ///< false: free vertices that nothing holds; they keep their mean offset
+  bool unique = true;  ///< false: free vertices that nothing holds; they keep their mean offset
 };
 
 /// Places interior vertices (section 3.3): of all places of the vertices that are neither exterior

@@ -16,8 +16,8 @@ struct HairMeshEdge {
 };
 
 /// Face Extrude: a new tip for each bundle, `distance` metres along the vertex normals of the tips
-/// extruded. Faces that share an edge in their tip layer and are at the same layer stay joined along
-/// it, to those extruded before as well.
+/// extruded. Faces that share an edge in their tip layer and are at the same layer stay joined
+/// along it, to those extruded before as well.
 void extrudeFaces(std::span<const std::uint32_t> bundles, float distance, HairMesh& mesh);
 
 /// Face Delete: removes the tip face of each bundle; of a bundle without length the scalp's face
@@ -28,8 +28,8 @@ void deleteFaces(std::span<const std::uint32_t> bundles, HairMesh& mesh);
 std::vector<std::uint32_t> connectedFaces(const HairMesh& mesh, std::size_t layer,
                                           std::uint32_t bundle);
 
-/// Layer Insert: a layer half-way between `layer` (1 or above) and the one below it, for all bundles
-/// connected to `bundle` in that layer; what was `layer` is then layer + 1.
+/// Layer Insert: a layer half-way between `layer` (1 or above) and the one below it, for all
+/// bundles connected to `bundle` in that layer; what was `layer` is then layer + 1.
 void insertLayer(std::size_t layer, std::uint32_t bundle, HairMesh& mesh);
 
 /// Layer Remove: the faces of `layer` (1 or above) of all bundles connected to `bundle` there. At
@@ -57,8 +57,8 @@ void weldEdges(std::size_t layer, HairMeshEdge a, HairMeshEdge b, HairMesh& mesh
 std::uint32_t divideFace(std::uint32_t bundle, std::uint32_t cornerA, std::uint32_t cornerB,
                          HairMesh& mesh);
 
-/// Edge Divide: a new corner half-way along the edge that starts at `corner` (0 to sides - 1), in all
-/// layers of the bundle and of its neighbour across that edge of the scalp.
+/// Edge Divide: a new corner half-way along the edge that starts at `corner` (0 to sides - 1), in
+/// all layers of the bundle and of its neighbour across that edge of the scalp.
 void divideEdge(std::uint32_t bundle, std::uint32_t corner, HairMesh& mesh);
 
 enum class Subdivision : std::uint8_t {

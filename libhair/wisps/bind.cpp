@@ -57,6 +57,24 @@ std::vector<std::uint32_t> chooseGuides(const std::vector<Feature>& features, st
 
 }  // namespace
 
+void keepShape(StrandView strands, Groom& groom) {
+  require(strands.points.size() == groom.pointCount(), "keepShape: ", strands.points.size(),
+          " points for a groom of ", groom.pointCount());
+  groom.offsets.assign(groom.pointCount(), glm::vec3(0));
+  const GuideStrands rest(groom, {});
+  const Wisps wisps(groom, rest);
+  parallelFor(groom.strandCount(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      const std::uint32_t n = groom.first[s + 1] - groom.first[s];
+      for (std::uint32_t k = 0; k < n; ++k) {
+        const std::size_t at = groom.first[s] + k;
+        const auto frame = wisps.curves.frame(groom.parents[s].x, wisps.sampleOf(k, n));
+        groom.offsets[at] = frame.fromWorld(strands.points[at] - wisps.points[at]);
+      }
+    }
+  });
+}
+
 Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
   validate(strands, "bindGroom", 2);
   require(strands.strandCount() > 0, "bindGroom: no strands");
@@ -74,7 +92,6 @@ Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
   groom.first.assign(strands.first.begin(), strands.first.end());
   groom.parents.resize(strands.strandCount());
   groom.weights.resize(strands.strandCount());
-  groom.offsets.resize(strands.pointCount());
   groom.fibre.hairsPerStrand = std::max(1.0f, hairs / static_cast<float>(strands.strandCount()));
 
   parallelFor(strands.strandCount(), 64, [&](std::size_t begin, std::size_t end) {
@@ -98,17 +115,7 @@ Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
     }
   });
 
-  // Offsets are what is missing at rest.
-  const GuideStrands rest(groom, {});
-  Wisps wisps(groom, rest);
-  for (std::size_t s = 0; s < strands.strandCount(); ++s) {
-    const std::uint32_t n = groom.first[s + 1] - groom.first[s];
-    for (std::uint32_t k = 0; k < n; ++k) {
-      const std::size_t at = groom.first[s] + k;
-      const auto frame = wisps.curves.frame(groom.parents[s].x, wisps.sampleOf(k, n));
-      groom.offsets[at] = frame.fromWorld(strands.points[at] - wisps.points[at]);
-    }
-  }
+  keepShape(strands, groom);
   return groom;
 }
 

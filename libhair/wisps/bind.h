@@ -18,4 +18,9 @@ struct BindSettings {
 /// Throws Error: no strands, strands of fewer than 2 points or without length.
 Groom bindGroom(StrandView strands, const BindSettings& settings = {}, float hairs = 100'000);
 
+/// Sets the groom's offsets to what its guides at rest leave of `strands` (head space; as many
+/// points a strand as the groom's): drawn at rest it then reproduces them to rounding. Throws Error
+/// where counts differ, and as Wisps does.
+void keepShape(StrandView strands, Groom& groom);
+
 }  // namespace hair

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <libhair/hair_mesh/hair_mesh.h>
+
+namespace hair {
+
+/// The chains of a hair mesh: from each vertex that a tip face stands on, down its edges between
+/// layers to the scalp (Yuksel et al. 2009, section 4: "an articulated rigid body chain directly from
+/// the edges of the hair mesh that connect the vertices of one layer to the next").
+///
+/// Chains that part share their vertices below. A vertex that is the corner of a tip, while a longer
+/// bundle beside it goes on, ends one chain and is inside another.
+struct HairMeshChains {
+  std::vector<std::uint32_t> vertices;     ///< [first.back()], of layer k at first[c] + k
+  std::vector<std::uint32_t> first = {0};  ///< [chainCount + 1]
+  /// [cornerCount] of the mesh: the chain that ends where this corner of the bundle's tip is;
+  /// kNoVertex for bundles without length.
+  std::vector<std::uint32_t> chainOfCorner;
+
+  std::size_t chainCount() const { return first.size() - 1; }
+  std::size_t linkCount() const { return vertices.size() - chainCount(); }
+  std::span<const std::uint32_t> chain(std::size_t c) const {
+    return std::span(vertices).subspan(first[c], first[c + 1] - first[c]);
+  }
+};
+
+/// In order of the corners that they end at. `mesh` must be valid.
+HairMeshChains chainsOf(const HairMesh& mesh);
+
+}  // namespace hair
