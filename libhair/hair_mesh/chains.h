@@ -5,11 +5,11 @@
 namespace hair {
 
 /// The chains of a hair mesh: from each vertex that a tip face stands on, down its edges between
-/// layers to the scalp (Yuksel et al. 2009, section 4: "an articulated rigid body chain directly from
-/// the edges of the hair mesh that connect the vertices of one layer to the next").
+/// layers to the scalp (Yuksel et al. 2009, section 4: "an articulated rigid body chain directly
+/// from the edges of the hair mesh that connect the vertices of one layer to the next").
 ///
-/// Chains that part share their vertices below. A vertex that is the corner of a tip, while a longer
-/// bundle beside it goes on, ends one chain and is inside another.
+/// Chains that part share their vertices below. A vertex that is the corner of a tip, while a
+/// longer bundle beside it goes on, ends one chain and is inside another.
 struct HairMeshChains {
   std::vector<std::uint32_t> vertices;     ///< [first.back()], of layer k at first[c] + k
   std::vector<std::uint32_t> first = {0};  ///< [chainCount + 1]

@@ -43,6 +43,18 @@ glm::vec3 wispWeights(glm::vec3 p, const std::array<glm::vec3, 3>& t) {
   return w / (w.x + w.y + w.z);
 }
 
+// Guides of a wisp on the crown may fall to either side of the head. A strand between them would go
+// through it, so it follows its main guide alone.
+bool guidesPart(const Groom& groom, std::uint32_t wisp) {
+  constexpr float kHeadWidth = 0.15f;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const auto a = groom.guide(3 * wisp + i), b = groom.guide(3 * wisp + (i + 1) % 3);
+    for (std::size_t k = 0; k < a.size(); ++k)
+      if (glm::distance(a[k], b[k]) > kHeadWidth) return true;
+  }
+  return false;
+}
+
 // What sets one strand apart from its wisp, in the frame of its main guide, at share u of its
 // length; `along` is metres from the root.
 glm::vec3 deviation(const StyleSettings& settings, std::uint32_t strand, float u) {
@@ -98,6 +110,9 @@ void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
     guideLength[i] = arcLength(groom.guide(i));
   }
 
+  std::vector<std::uint8_t> parted(groom.guideCount() / 3);
+  for (std::uint32_t w = 0; w < parted.size(); ++w) parted[w] = guidesPart(groom, w);
+
   parallelFor(strands, 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       const auto strand = static_cast<std::uint32_t>(s);
@@ -107,6 +122,7 @@ void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
       // The main guide is the one of most weight.
       if (w.y > w.x) std::swap(w.x, w.y), std::swap(parents.x, parents.y);
       if (w.z > w.x) std::swap(w.x, w.z), std::swap(parents.x, parents.z);
+      if (parted[wisps[s]]) w = glm::vec3(1, 0, 0);
       groom.parents[s] = parents;
       groom.weights[s] = w;
 
