@@ -104,18 +104,21 @@ TEST(Roots, LeaveNoGapsThatChanceWouldLeave) {
 
 TEST(Roots, FollowDensity) {
   const HairMesh mesh = test::stack(test::gridScalp(3, 2, 0.02f), 1);
-  // None to the left of the middle of the first column, then rising towards the right.
-  const auto ramp = [](glm::vec3 p) { return p.x < 0.01f ? 0.0f : p.x; };
-  const auto roots = placeRoots(mesh, {.strands = 9600}, ramp);
+  // Rises within every face from left to right, half as high in the second row; none in the left
+  // half of the first column.
+  const auto teeth = [](glm::vec3 p) {
+    return p.x < 0.01f ? 0.0f : std::fmod(p.x, 0.02f) * (p.z < 0.02f ? 50.0f : 25.0f);
+  };
+  const auto roots = placeRoots(mesh, {.strands = 9600}, teeth);
   EXPECT_EQ(roots.rootCount(), 9600u);
   for (const glm::vec3 p : roots.positions) EXPECT_GE(p.x, 0.01f);
-  // The total of a cell: the ramp from x to x + 0.005 over 8 rows.
   const auto share = [](std::uint32_t cell) {
-    const double x = 0.005 * (cell % 12);
-    return x < 0.0099 ? 1e-9 : (x + 0.0025) * 0.005 / (0.5 * (0.06 * 0.06 - 0.01 * 0.01)) / 8;
+    if (cell % 12 < 2) return 1e-9;
+    const double inTooth = (2 * (cell % 4) + 1) / 16.0;  // of the whole tooth, 1
+    return inTooth / 4 * (cell < 48 ? 2.0 : 1.0) / (3 * (3 - 0.25));
   };
-  // By chance within a face: as independent roots.
-  EXPECT_LT(chiSquare(roots, 3, 2, 0.02f, share), 1.5);
+  // Chance thins the even places: not as even, but more than independent roots (1).
+  EXPECT_LT(chiSquare(roots, 3, 2, 0.02f, share), 0.8);
 }
 
 TEST(Roots, FollowADensityImageAsSeenFromAbove) {
