@@ -1,15 +1,8 @@
 #include <libhair/files/obj.h>
 
 #include <algorithm>
-#include <mutex>
 
-#if defined(__GNUC__) && !defined(__clang__)
-// With sanitizers g++ 12 sees vectors without a value in OpenMesh's headers; there are none.
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
-#include <OpenMesh/Core/System/omstream.hh>
-
+#include <libhair/core/openmesh-inl.h>
 #include <libhair/files/byte_reader.h>
 #include <libhair/files/obj_words.h>
 
@@ -17,28 +10,8 @@ namespace hair {
 
 namespace {
 
-using Mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+using Mesh = OpenPolyMesh;
 using Corners = std::vector<Mesh::VertexHandle>;
-
-// OpenMesh reports complex edges on its error stream; here the caller gets them as numbers.
-// The stream is one for the whole program, so one thread silences it at a time.
-class SilentOpenMesh {
- public:
-  SilentOpenMesh() : lock_(mutex()), was_(omerr().is_enabled()) { omerr().disable(); }
-  ~SilentOpenMesh() {
-    if (was_) omerr().enable();
-  }
-  SilentOpenMesh(const SilentOpenMesh&) = delete;
-  SilentOpenMesh& operator=(const SilentOpenMesh&) = delete;
-
- private:
-  static std::mutex& mutex() {
-    static std::mutex m;
-    return m;
-  }
-  std::lock_guard<std::mutex> lock_;
-  bool was_;
-};
 
 // A corner that follows itself makes an edge of no length, which tells nothing.
 void removeRepeats(Corners& corners) {

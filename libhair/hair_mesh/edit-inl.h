@@ -1,0 +1,82 @@
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <libhair/core/error.h>
+#include <libhair/hair_mesh/hair_mesh.h>
+
+// What the operations share. Each one changes corners of some layers, loosely, and `rejoin` makes
+// vertices of them again: two corners are one vertex where they were one, stand on one, and their
+// faces are joined edge to edge. So a split goes on upward by itself, and no vertex is left that
+// joins faces at a point only.
+namespace hair {
+
+/// Runs `edit` on a copy: `mesh` changes when the copy is valid, or not at all.
+template <class Edit>
+void editCopy(HairMesh& mesh, Edit&& edit) {
+  validate(mesh, "hair mesh before the operation");
+  HairMesh copy = mesh;
+  edit(copy);
+  validate(copy, "hair mesh after the operation");
+  mesh = std::move(copy);
+}
+
+/// An edge of a layer.
+struct LayerEdge {
+  std::uint32_t a = 0, b = 0;       ///< vertices, a < b
+  std::uint32_t corner = 0;         ///< that starts it in the first of its faces
+  std::uint32_t other = kNoVertex;  ///< that starts it in the second; kNoVertex: there is none
+
+  bool isInner() const { return other != kNoVertex; }
+};
+
+/// For each corner, what a loop over bundles would know. [cornerCount]
+struct CornerTable {
+  std::vector<std::uint32_t> bundle, next;
+
+  explicit CornerTable(const HairMesh& mesh);
+};
+
+/// Edges of the layer whose corners have these vertices (or any names for them), ordered by a, b.
+std::vector<LayerEdge> edgesOf(const CornerTable& table, std::span<const std::uint32_t> vertices);
+
+/// The edge between two vertices, nullptr if there is none.
+const LayerEdge* findEdge(std::span<const LayerEdge> edges, std::uint32_t a, std::uint32_t b);
+
+/// Sets that grow together; the name of each is its least member.
+class JoinedSets {
+ public:
+  explicit JoinedSets(std::size_t size);
+  std::uint32_t find(std::uint32_t x);
+  void join(std::uint32_t x, std::uint32_t y);
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Of each corner the least corner that is joined with it: of the same vertex, in faces that hang
+/// together edge by edge around it, across `edges`. kNoVertex where there is no face.
+std::vector<std::uint32_t> fansOf(const CornerTable& table, std::span<const LayerEdge> edges,
+                                  std::span<const std::uint32_t> vertices);
+
+/// Makes the vertices of a layer from its corners, and `below` from the layer below. Corners of one
+/// vertex stay together if `parts` (empty, or [cornerCount]) has one value for them, they stand on
+/// one vertex and are one fan. The fan with the least corner keeps the vertex's number, others come
+/// behind all; vertices that no corner has any more go, and numbers behind them close up.
+void rejoin(std::size_t layer, HairMesh& mesh, std::span<const std::uint32_t> parts = {});
+
+/// rejoin for `layer` and all above; then drops empty layers at the top.
+void rejoinFrom(std::size_t layer, HairMesh& mesh);
+
+/// A layer without faces on top.
+void addEmptyLayer(HairMesh& mesh);
+
+// Arguments, checked at the door.
+void requireBundle(const HairMesh& mesh, std::uint32_t bundle);
+void requireBundles(const HairMesh& mesh, std::span<const std::uint32_t> bundles);
+void requireLayer(const HairMesh& mesh, std::size_t layer);
+void requireVertex(const HairMesh& mesh, std::size_t layer, std::uint32_t vertex);
+
+}  // namespace hair
