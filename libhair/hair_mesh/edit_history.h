@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <libhair/hair_mesh/hair_mesh.h>
+
+namespace hair {
+
+/// A hair mesh and its last edits, to go back and forth between. A step is a whole mesh, so memory
+/// is bounded by maxSteps + 1 meshes; the oldest step goes when there are more.
+class HairMeshHistory {
+ public:
+  /// Throws Error if `mesh` is not valid.
+  explicit HairMeshHistory(HairMesh mesh, std::size_t maxSteps = 100);
+
+  const HairMesh& current() const { return steps_[at_]; }
+
+  /// One step: any number of operations, and places moved by hand. What was undone before is gone.
+  /// If `edit` throws, or leaves a mesh that is not valid (Error), nothing has changed.
+  void apply(const std::function<void(HairMesh&)>& edit);
+
+  bool canUndo() const { return at_ > 0; }
+  bool canRedo() const { return at_ + 1 < steps_.size(); }
+  /// Throw Error if there is no step that way.
+  void undo();
+  void redo();
+
+ private:
+  std::vector<HairMesh> steps_;
+  std::size_t at_ = 0, maxSteps_;
+};
+
+}  // namespace hair
