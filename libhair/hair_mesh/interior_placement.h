@@ -1,38 +1,77 @@
 #pragma once
 
-#include <libhair/hair_mesh/hair_mesh.h>
+#include <libhair/hair_mesh/exterior.h>
 
 namespace hair {
 
-/// [layer][vertex], 1 for exterior vertices: those of the scalp, of tip faces, and of side quads
-/// that a single bundle has (Yuksel et al. 2009, section 3.3, figure 2a).
-std::vector<std::vector<std::uint8_t>> exteriorVertices(const HairMesh& mesh);
-
 struct PlacementSettings {
-  float tolerance = 1e-6f;          ///< of the residual, beside that of the right-hand side, > 0
+  /// How far, beside the mesh's size (the diagonal of the box around the vertices that are held), a
+  /// free vertex may still be from where its neighbours want it (root mean square); above 0.
+  float tolerance = 1e-8f;
   std::uint32_t maxIterations = 0;  ///< 0: as many as there are free vertices, at most 10,000
 };
 
 struct PlacementResult {
   std::uint32_t iterations = 0;
-  float residual = 0;     ///< relative, what is left
-  bool converged = true;
-  bool unique = true;     ///< false: free vertices that nothing holds; they keep their mean offset
+  float residual = 0;     ///< what is left, in the unit of PlacementSettings::tolerance
+  bool converged = true;  ///< residual <= tolerance
+  bool unique = true;     ///< false: there are layers that nothing holds; they keep their centroid
 };
 
-/// Places interior vertices (section 3.3): of all places of the vertices that are neither exterior
-/// nor pinned, those that minimise
+/// Places interior vertices (Yuksel et al. 2009, section 3.3): of all places of the vertices that
+/// are neither exterior nor pinned, those that minimise
 ///
-///   sum_j sum_k sum_i |(V_{j,i}^{k+1} - V_{j,i}^k) - (V_{j,i+1}^{k+1} - V_{j,i+1}^k)|^2
+///   E = sum_j sum_k sum_i |(V_{j,i}^{k+1} - V_{j,i}^k) - (V_{j,i+1}^{k+1} - V_{j,i+1}^k)|^2
 ///
-/// by conjugate gradients from where they are. The matrix depends on topology and pins alone: it is
-/// assembled here, once; an edit of places costs its right-hand side and a warm start.
+/// over bundles j, prisms k = 0 ... n_j - 1 between layers k and k + 1, and corners i. (The paper
+/// counts k from 1 to n_j; it means every prism.) The sum is taken as it stands: a side quad
+/// between two bundles counts for both. Quads that one bundle has move nothing, all four of their
+/// vertices being exterior, so that counting each quad once has the same minimum.
+///
+/// E is the same quadratic in x, y and z: one symmetric matrix of whole numbers, made here, once,
+/// from topology and pins. An edit of places costs its right-hand side and conjugate gradients
+/// (Shewchuk 1994, preconditioned by the diagonal) from where the vertices are. The gradients are
+/// double: the condition of the matrix grows with the squares of the number of layers and of that
+/// of faces across, and in float the residual would be lost before the far end of a drag is
+/// reached. One thread: the same bits on every machine.
+///
+/// "Unique minimum", says the paper. It is, unless all vertices of a layer that are joined are free
+/// (a layer inside, around a closed scalp): E stays the same when they shift together. Such layers
+/// keep their centroid.
 class InteriorPlacement {
  public:
+  /// Throws Error if `mesh` is not valid.
   explicit InteriorPlacement(const HairMesh& mesh);
 
-  /// `mesh` of the same topology and pins as at construction; moves its free vertices.
+  /// Moves the free vertices of `mesh`, which has the topology and the pins of construction. Throws
+  /// Error, and moves nothing, if it has others, if a place is not finite, or if a setting is not
+  /// in its range.
   PlacementResult place(HairMesh& mesh, const PlacementSettings& settings = {});
+
+  std::size_t freeCount() const { return inverse_.size(); }
+
+ private:
+  void numberVertices(const HairMesh& mesh);
+  void assemble(const HairMesh& mesh);
+  void findIslands(const HairMesh& mesh);
+  double gather(const HairMesh& mesh);
+  PlacementResult solve(double size, const PlacementSettings& settings);
+
+  std::uint64_t topology_ = 0;         ///< hash of topology and pins
+  std::vector<std::uint32_t> number_;  ///< [vertexCount], root first: free ones 0 ..., held behind
+  std::vector<std::vector<std::uint32_t>> islands_;  ///< free vertices that shift together
+
+  // Rows of the matrix, for free vertices: columns of free vertices, then of held ones.
+  std::vector<std::uint32_t> first_;      ///< [freeCount + 1]
+  std::vector<std::uint32_t> firstHeld_;  ///< [freeCount]
+  std::vector<std::uint32_t> columns_;
+  std::vector<float> weights_;   ///< [columns], whole numbers
+  std::vector<double> inverse_;  ///< [freeCount], 1 over the diagonal
+  double diagonalSum_ = 0;
+
+  // Workspace of place, by number_: kept so that an edit allocates nothing.
+  std::vector<glm::dvec3> places_;                                ///< [vertexCount], metres
+  std::vector<glm::dvec3> move_, residual_, direction_, change_;  ///< [freeCount]
 };
 
 /// All of it for a mesh that is edited once.
