@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+
+#include <libhair/hair_mesh/hair_mesh.h>
+
+namespace hair {
+
+/// How dense hair is at a point of the scalp, relative: 0 none, 1 most; what is beyond is clamped.
+using ScalpDensity = std::function<float(glm::vec3)>;
+
+/// A picture over the scalp, seen from above with the face towards the bottom: a ScalpDensity.
+struct DensityImage {
+  std::uint32_t width = 0, height = 0;
+  std::vector<float> values;      ///< [height·width], rows from the back of the head to the face
+  glm::vec2 lower{-0.1f, -0.1f};  ///< (x, z) of the picture's upper left corner, metres
+  glm::vec2 upper{0.1f, 0.1f};    ///< (x, z) of its lower right corner
+
+  /// Bilinear between pixel centres, clamped at the border. Size and values must fit.
+  float operator()(glm::vec3 p) const;
+};
+
+struct RootSettings {
+  std::uint32_t strands = 10'000;
+  std::uint32_t seed = 1;
+  /// > 0: as many roots a square metre where density is 1, whatever `strands` says. What one bundle
+  /// has then depends on its own face alone.
+  float perSquareMetre = 0;
+};
+
+/// Places on the root layer where hair starts, bundle after bundle.
+struct HairMeshRoots {
+  std::vector<std::uint32_t> firstRoot = {0};  ///< [bundleCount + 1]
+  std::vector<std::uint32_t> bundle;           ///< [rootCount]
+  std::vector<std::uint32_t> number;  ///< [rootCount], names a root in its bundle; ascending
+  std::vector<std::uint32_t> firstWeight = {0};  ///< [rootCount + 1]
+  std::vector<float> weights;        ///< [firstWeight.back()], of the corners of the root's face
+  std::vector<glm::vec3> positions;  ///< [rootCount], metres, when they were placed
+
+  std::size_t rootCount() const { return bundle.size(); }
+  std::span<const float> weightsOf(std::size_t root) const {
+    return std::span(weights).subspan(firstWeight[root], firstWeight[root + 1] - firstWeight[root]);
+  }
+  /// For random numbers of this root: the same in every mesh where the root is.
+  std::uint32_t key(std::size_t root) const;
+};
+
+/// Spreads roots over the faces of F^0, evenly by area (of FlatPolygon) times `density` (none: 1).
+/// Bundles without length have none.
+///
+/// A bundle has an endless queue of roots of its own, which depends on the seed, the bundle's
+/// number and the shape of its face: a jittered R2 sequence (Roberts 2018) over a box around the
+/// face, of which those count that fall inside, and of these by chance as many as density says. The
+/// i-th root of bundle j comes at time (i + u_j) / m_j, where m_j is area times mean density and
+/// u_j in [0, 1) is drawn for each bundle; the first to come, `strands` in all, are taken. So the
+/// count is exact; roots of a smaller count are among those of a larger one; and a face that grows
+/// takes at most a root or so from the ends of the others' queues, where perSquareMetre leaves them
+/// alone.
+///
+/// The mean density is that of 256 places of a face. Fewer roots than asked come where density is
+/// zero in all of those, or where less than 1/4096 of the box has hair. The same bits for any
+/// number of threads; `density` is called from several at once. Throws Error if no face has area
+/// (and density), or for settings out of range.
+HairMeshRoots placeRoots(const HairMesh& mesh, const RootSettings& settings = {},
+                         const ScalpDensity& density = {});
+
+/// Throws Error unless the roots fit the mesh's bundles.
+void validate(const HairMeshRoots& roots, const HairMesh& mesh);
+
+}  // namespace hair
