@@ -4,7 +4,7 @@
 
 #include <libhair/core/openmesh-inl.h>
 #include <libhair/files/byte_reader.h>
-#include <libhair/files/text_reader.h>
+#include <libhair/files/obj_words.h>
 
 namespace hair {
 
@@ -12,15 +12,6 @@ namespace {
 
 using Mesh = OpenPolyMesh;
 using Corners = std::vector<Mesh::VertexHandle>;
-
-// "7", "7/1", "7//3" or "-1": the vertex only; negative ones count back from the last so far.
-Mesh::VertexHandle vertexOf(const TextReader& in, std::string_view word, std::size_t vertexCount) {
-  const long long index = in.toInteger(word.substr(0, word.find('/')), "face");
-  const auto count = static_cast<long long>(vertexCount);
-  in.expect(index != 0 && index >= -count && index <= count, "face: vertex ", index,
-            " does not exist (", count, " vertices so far)");
-  return Mesh::VertexHandle(static_cast<int>(index > 0 ? index - 1 : count + index));
-}
 
 // A corner that follows itself makes an edge of no length, which tells nothing.
 void removeRepeats(Corners& corners) {
@@ -44,17 +35,14 @@ Mesh parse(TextReader& in, ObjReport& report) {
   while (in.nextLine()) {
     const std::string_view word = in.word();
     if (word == "v") {
-      Mesh::Point p;
-      for (std::size_t c = 0; c < 3; ++c) {
-        p[c] = in.number("vertex");
-        in.expect(std::abs(p[c]) < 1e8f, "vertex: ", p[c], " is beyond 1e8 (check the scale)");
-      }
-      mesh.add_vertex(p);
+      const glm::vec3 p = objVertex(in);
+      mesh.add_vertex(Mesh::Point(p.x, p.y, p.z));
     } else if (word == "f") {
       ++report.faces;
       corners.clear();
-      while (!in.lineDone()) corners.push_back(vertexOf(in, in.word(), mesh.n_vertices()));
-      in.expect(corners.size() >= 3, "face: ", corners.size(), " corners, needs at least 3");
+      while (!in.lineDone())
+        corners.emplace_back(static_cast<int>(objCorner(in, in.word(), mesh.n_vertices())));
+      expectObjFace(in, corners.size());
       removeRepeats(corners);
       if (corners.size() < 3)
         ++report.dropped;

@@ -12,7 +12,6 @@ namespace hair {
 namespace {
 
 constexpr double kCrownDensity = 0.3;  // 1.4 times the mean there, 0.8 times at the sides
-constexpr glm::vec3 kSkullMiddle(0, 0.1f, -0.005f);
 
 enum Use : std::uint16_t { JitterAlong = 0x100, JitterAcross, Thin, FirstCentre };
 
@@ -35,6 +34,18 @@ std::uint32_t nearestTo(glm::vec3 p, std::span<const glm::vec3> centres) {
   return best;
 }
 
+// March inwards from outside: the first hit, so that ears and neck do not count.
+template <class Distance>
+glm::vec3 firstHit(glm::vec3 ray, float tolerance, const Distance& distance) {
+  float t = 0.13f;
+  for (int step = 0; step < 40; ++step) {
+    const float d = distance(kSkullMiddle + t * ray);
+    t -= 0.9f * d;
+    if (std::abs(d) < tolerance) break;
+  }
+  return kSkullMiddle + t * ray;
+}
+
 }  // namespace
 
 glm::vec3 awayFromParting(const Parting& parting, glm::vec3 p) {
@@ -44,15 +55,12 @@ glm::vec3 awayFromParting(const Parting& parting, glm::vec3 p) {
 }
 
 glm::vec3 onScalp(const MeshSdf& headSdf, glm::vec3 p) {
-  const glm::vec3 ray = glm::normalize(p - kSkullMiddle);
-  // March inwards from outside: the first hit, so that ears and neck do not count.
-  float t = 0.13f;
-  for (int step = 0; step < 40; ++step) {
-    const float d = headSdf.distance(kSkullMiddle + t * ray);
-    t -= 0.9f * d;
-    if (std::abs(d) < 1e-5f) break;
-  }
-  return kSkullMiddle + t * ray;
+  return firstHit(glm::normalize(p - kSkullMiddle), 1e-5f,
+                  [&](glm::vec3 q) { return headSdf.distance(q); });
+}
+
+glm::vec3 onScalp(glm::vec3 p) {
+  return firstHit(glm::normalize(p - kSkullMiddle), 1e-6f, headField);
 }
 
 std::vector<glm::vec3> scalpRoots(const MeshSdf& headSdf, std::uint32_t count, std::uint32_t seed) {

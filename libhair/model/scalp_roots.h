@@ -27,6 +27,11 @@ std::vector<glm::vec3> scalpRoots(const MeshSdf& headSdf, std::uint32_t count, s
 
 /// The point of the scalp where the ray from the middle of the skull through p leaves the head.
 glm::vec3 onScalp(const MeshSdf& headSdf, glm::vec3 p);
+/// The same on the built-in head itself, within 1e-6 m of headField's surface.
+glm::vec3 onScalp(glm::vec3 p);
+
+/// The middle of the skull, metres, head space.
+inline constexpr glm::vec3 kSkullMiddle(0, 0.1f, -0.005f);
 
 /// Roots grouped by wisp. No wisp has roots on both sides of the parting.
 struct WispCells {

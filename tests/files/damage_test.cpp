@@ -29,6 +29,9 @@ std::vector<Format> formats() {
 #ifdef HAIR_WITH_MODEL
           {"obj", fuzzObj, sampleObj(), false},
 #endif
+#ifdef HAIR_WITH_HAIR_MESH
+          {"mesh", fuzzMesh, sampleHairMesh(), false},
+#endif
           {"bvh", fuzzBvh, sampleBvh(), false},
           {"clip", fuzzClip, sampleBvh(), false}};
 }
@@ -106,6 +109,7 @@ TEST(Damage, RandomMutationsAreReadOrAnError) {
                                        "/",
                                        "f",
                                        "v",
+                                       "o layer_1\n",
                                        "End Site\n{\n",
                                        "JOINT j\n{\n",
                                        "CHANNELS 3 Xrotation Yrotation Zrotation\n",

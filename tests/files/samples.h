@@ -88,6 +88,14 @@ inline std::string sampleObj() {
          "f 1/1/1 2//1 3/2 4\nv 2 0.5 0\nf 3 2 -1\n";
 }
 
+/// Two squares on a scalp; the second's hair ends a layer earlier.
+inline std::string sampleHairMesh() {
+  return "# sample\no layer_0\nv 0 0 0\nv 0 0 1\nv 1 0 1\r\nv 1 0 0\nv 2 0 1\nv 2 0 0\n"
+         "f 1 2 3 4\nf 4 3 5 6\no layer_1\nv 0 1 0\nv 0 1 1\nv 1 1 1\nv 1 1 0\nv 2 1 1\n"
+         "v 2 1 0\nvn 0 1 0\nf 7//1 8//1 9 10\nf 10 9 11 12\no layer_2.001\nv 0 2 0\n"
+         "v 0 2 1\nv 1 2 1\nv 1 2 0\nf -4 -3 -2 -1\n";
+}
+
 /// A folder that goes away with the test.
 class TemporaryFolder {
  public:

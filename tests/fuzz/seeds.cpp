@@ -105,6 +105,13 @@ std::vector<std::string> objSeeds() {
           "f 1 2 3\rf 1 2 4\rf 2 1 3\rf 1 1 2\rf -4 -3 -2 -1\rf 1 2 1 3\r"};
 }
 
+// As written; and groups, no layer but the scalp, parted hair.
+std::vector<std::string> meshSeeds() {
+  return {sampleHairMesh(), "g\rv 0 0 0\rv 0 0 1\rv 1 0 0\rf 1 2 3\r",
+          "o a\nv 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\nf 1 2 3\nf 3 2 4\n"
+          "o b\nv 0 1 0\nv 0 1 1\nv 1 1 0\nv 1 1 0\nv 0 1 1\nv 1 1 1\nf 5 6 7\nf 8 9 10\n"};
+}
+
 // What is typed with blanks, as lines.
 std::string lines(std::string words) {
   std::replace(words.begin(), words.end(), ' ', '\n');
@@ -163,6 +170,7 @@ std::vector<FuzzSeeds> fuzzSeeds() {
           {"bvh", {sampleBvh(), person(false, false)}},
           {"clip", {person(false, false), person(true, true), sampleBvh()}},
           {"obj", objSeeds()},
+          {"mesh", meshSeeds()},
           {"options", optionSeeds()}};
 }
 

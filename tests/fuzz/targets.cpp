@@ -11,6 +11,9 @@
 #ifdef HAIR_WITH_MODEL
 #include <libhair/files/obj.h>
 #endif
+#ifdef HAIR_WITH_HAIR_MESH
+#include <libhair/hair_mesh/hair_mesh_file.h>
+#endif
 
 #include "promise.h"
 
@@ -126,6 +129,17 @@ bool fuzzObj(std::string_view bytes) {
     promise(mesh.normals.size() == mesh.positions.size(), "one normal a vertex");
     for (glm::uvec3 t : mesh.triangles)
       for (int k = 0; k < 3; ++k) promise(t[k] < mesh.positions.size(), "corners exist");
+  });
+}
+#endif
+
+#ifdef HAIR_WITH_HAIR_MESH
+bool fuzzMesh(std::string_view bytes) {
+  return readOrError([&] {
+    const HairMesh mesh = parseHairMesh(bytes, "fuzz");
+    promise(whyInvalid(mesh).empty(), "a mesh that is read is valid");
+    const std::string written = hairMeshBytes(mesh);
+    promise(hairMeshBytes(parseHairMesh(written, "fuzz")) == written, "what is written is read");
   });
 }
 #endif

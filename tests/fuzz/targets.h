@@ -13,6 +13,8 @@ bool fuzzTfx(std::string_view bytes);
 bool fuzzData(std::string_view bytes);
 bool fuzzBvh(std::string_view bytes);
 bool fuzzObj(std::string_view bytes);
+/// A hair mesh.
+bool fuzzMesh(std::string_view bytes);
 /// A .bvh file as what it is for: a body that moves.
 bool fuzzClip(std::string_view bytes);
 

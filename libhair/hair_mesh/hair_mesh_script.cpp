@@ -1,0 +1,81 @@
+#include <libhair/hair_mesh/hair_mesh_script.h>
+
+#include <libhair/core/error.h>
+#include <libhair/files/byte_reader.h>
+#include <libhair/hair_mesh/script_workshop.h>
+
+namespace hair {
+
+namespace {
+
+ScriptStep readLine(ScriptWords& words) {
+  const std::string_view name = words.word("an operation");
+  for (const auto commands : {selectionCommands(), topologyCommands(), geometryCommands(),
+                              growthCommands(), sweepCommands()})
+    for (const ScriptCommand& command : commands)
+      if (command.name == name) return command.read(words);
+  words.fail("there is no operation '", TextReader::shown(name), "'");
+}
+
+}  // namespace
+
+ScriptFiles filesBeside(const std::filesystem::path& script) {
+  return [folder = script.parent_path()](const std::string& name) {
+    return readWholeFile(folder / name);
+  };
+}
+
+HairMeshScript parseHairMeshScript(std::string_view text, std::string_view name) {
+  TextReader in(text, name);
+  HairMeshScript script{std::string(name), {}};
+  while (in.nextLine()) {
+    ScriptWords words(in);
+    if (words.done()) continue;
+    script.lines.push_back({in.lineNumber(), readLine(words)});
+    words.end();
+  }
+  return script;
+}
+
+HairMeshScript readHairMeshScript(const std::filesystem::path& file) {
+  return parseHairMeshScript(readWholeFile(file), file.string());
+}
+
+ScriptRun::ScriptRun(ScriptFiles files, ScriptLimits limits)
+    : workshop_(std::make_unique<Workshop>()) {
+  workshop_->files = std::move(files);
+  workshop_->limits = limits;
+}
+ScriptRun::~ScriptRun() = default;
+
+void ScriptRun::apply(const HairMeshScript& script, std::size_t line) {
+  const HairMeshScript::Line& l = script.lines.at(line);
+  try {
+    const ScriptLimits& limits = workshop_->limits;
+    const std::size_t work = work_ + usedCorners(workshop_->mesh());
+    require(lines_ < limits.lines, "a script may have ", limits.lines, " operations");
+    require(work <= limits.work, "the script is too much work: ", work,
+            " corners summed over its lines, at most ", limits.work);
+    Workshop changed = *workshop_;
+    l.apply(changed);
+    *workshop_ = std::move(changed);
+    ++lines_;
+    work_ = work;
+  } catch (const Error& e) {
+    throw Error(text(script.name, ": line ", l.number, ": ", e.what()));
+  }
+}
+
+const Hairstyle& ScriptRun::style() const {
+  return workshop_->style;
+}
+
+Hairstyle apply(const HairMeshScript& script, ScriptFiles files, ScriptLimits limits) {
+  ScriptRun run(std::move(files), limits);
+  for (std::size_t line = 0; line < script.lines.size(); ++line) run.apply(script, line);
+  require(run.style().mesh.bundleCount() > 0, script.name,
+          ": no scalp: a script begins with `scalp head RINGS SECTORS`");
+  return run.style();
+}
+
+}  // namespace hair

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <libhair/hair_mesh/hair_mesh.h>
+#include <libhair/hair_mesh/styling.h>
+
+namespace hair {
+
+/// A hairstyle: the volume, and the sets of strands that are grown in it.
+struct Hairstyle {
+  HairMesh mesh;
+  std::vector<StrandGroup> groups;
+};
+
+/// What a script is applied to: the hairstyle so far, its selections, the head. (script_workshop.h)
+struct Workshop;
+
+/// A hairstyle as text (.hairmesh): an operation a line, in order, from a scalp to groups of
+/// strands;
+/// `#` begins a comment. docs/formats.md lists the operations.
+struct HairMeshScript {
+  struct Line {
+    std::size_t number;  ///< in the file, from 1
+    std::function<void(Workshop&)> apply;
+  };
+  std::string name;  ///< of the file, for messages
+  std::vector<Line> lines;
+};
+
+/// The bytes of a file that a script names (`scalp file NAME`); throws Error where there is none.
+using ScriptFiles = std::function<std::string(const std::string& name)>;
+
+/// Files beside the script: names are relative to its folder.
+ScriptFiles filesBeside(const std::filesystem::path& script);
+
+/// What a script may ask for; an error names the one that is in the way.
+struct ScriptLimits {
+  std::size_t lines = 10'000;        ///< with an operation
+  std::size_t corners = 1'000'000;   ///< of faces in all layers; as many vertices at the most
+  std::size_t work = 1'000'000'000;  ///< corners summed over lines
+};
+
+/// Throws Error (file, line, cause) for a line that no operation understands.
+HairMeshScript parseHairMeshScript(std::string_view text, std::string_view name);
+HairMeshScript readHairMeshScript(const std::filesystem::path& file);
+
+/// A script that is applied line by line, as an editor does. The same lines give the same bits.
+class ScriptRun {
+ public:
+  /// Without `files` a script that names one is refused.
+  explicit ScriptRun(ScriptFiles files = {}, ScriptLimits limits = {});
+  ~ScriptRun();
+
+  /// Applies a line, or throws Error (file, line, cause) and changes nothing.
+  void apply(const HairMeshScript& script, std::size_t line);
+
+  const Hairstyle& style() const;
+
+ private:
+  std::unique_ptr<Workshop> workshop_;
+  std::size_t lines_ = 0, work_ = 0;
+};
+
+/// All lines. Throws Error as ScriptRun, and for a script without a scalp.
+Hairstyle apply(const HairMeshScript& script, ScriptFiles files = {}, ScriptLimits limits = {});
+
+}  // namespace hair
