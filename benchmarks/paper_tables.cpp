@@ -1,6 +1,7 @@
 // Tables 1 and 2 of Bertails et al. 2005, measured here: seconds a frame, by stage, of the smooth
 // and the curly style while they dance; beside them, in the same run and on the same strands, the
-// literal transcription of the paper's section 3 on one thread.
+// literal transcription of the paper's section 3 on one thread. Then the simulation of Yuksel et al.
+// 2009, section 4.
 //
 //   paper_tables [frames, default 120]
 #include <algorithm>
@@ -11,6 +12,9 @@
 #include <vector>
 
 #include <apps/common/performance.h>
+#ifdef HAIR_WITH_HAIR_MESH
+#include <benchmarks/hair_mesh_table.h>
+#endif
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/shadow/literal.h>
@@ -124,6 +128,9 @@ int program(int frames) {
   std::cout << std::setprecision(1) << "\nsmooth: " << 1 / step
             << " frames a second, self-collision " << 100 * smooth.fast.selfCollision / step
             << " % of the step\n";
+#ifdef HAIR_WITH_HAIR_MESH
+  printHairMeshTable(frames);
+#endif
   return 0;
 }
 

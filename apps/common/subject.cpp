@@ -70,46 +70,68 @@ std::size_t dropBust(TriangleMesh& mesh) {
                        [&](glm::uvec3 t) { return below(t.x) && below(t.y) && below(t.z); });
 }
 
+// The first of options.heads where the roots want it, and what comes with it.
+RigidTransform loadHead(const SubjectOptions& options, std::span<const glm::vec3> roots, Head& head,
+                        std::vector<TriangleMesh>& eyes, std::vector<std::string>& notes) {
+  head.mesh = readObj(options.heads.front());
+  const RigidTransform headFromFile = placeHead(head.mesh, roots);
+  moveBy(headFromFile, head.mesh);
+  const std::size_t dropped = dropBust(head.mesh);
+  if (dropped > 0)
+    notes.push_back(text(options.heads.front().filename().string(), ": ", dropped,
+                         " triangles of shoulders left out; the body has its own"));
+  for (std::size_t i = 1; i < options.heads.size(); ++i)
+    moveBy(headFromFile, eyes.emplace_back(readObj(options.heads[i])));
+  return headFromFile;
+}
+
+}  // namespace
+
 // Head and groom together, as each has to fit the other.
-Groom makeHair(const SubjectOptions& options, Head& head, std::vector<TriangleMesh>& eyes,
-               std::unique_ptr<MeshSdf>& collider, std::vector<std::string>& notes) {
+void Subject::makeHair(const SubjectOptions& options) {
+  const auto makeCollider = [&] {
+    headCollider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
+  };
   if (options.hair.empty()) {
     require(options.heads.empty(),
             "--head: the built-in styles grow on the built-in head; give --hair too");
     head = builtinHead();
-    collider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
+    makeCollider();
     StyleSettings style = styleSettings(options.style);
     if (options.strands > 0) style.strands = options.strands;
     if (options.points > 0) style.points = options.points;
-    return makeGroom(style, *collider);
-  }
-  StrandSet strands = loadHair(options, notes);
-  const std::vector<glm::vec3> roots = rootsOf(strands);
-  RigidTransform headFromFile;
-  if (options.heads.empty()) {
-    HeadFit fit = fitHeadToRoots(roots);
-    head = std::move(fit.head);
-    headFromFile = fit.headFromHair;
-    notes.push_back(
-        text("no --head: the built-in head was scaled under the roots, which lie on it to ",
-             fit.residual * 1000, " mm (mean)"));
+    groom = makeGroom(style, *headCollider);
+  } else if (isHairMesh(options.hair)) {
+    mesh = growMeshHair(options, notes);
+    if (options.heads.empty())
+      head = builtinHead();
+    else
+      moveBy(loadHead(options, rootsOf(mesh->grown.strands), head, eyes, notes), *mesh);
+    makeCollider();
+    groom = groomOf(*mesh);
   } else {
-    head.mesh = readObj(options.heads.front());
-    headFromFile = placeHead(head.mesh, roots);
-    moveBy(headFromFile, head.mesh);
-    const std::size_t dropped = dropBust(head.mesh);
-    if (dropped > 0)
-      notes.push_back(text(options.heads.front().filename().string(), ": ", dropped,
-                           " triangles of shoulders left out; the body has its own"));
-    for (std::size_t i = 1; i < options.heads.size(); ++i)
-      moveBy(headFromFile, eyes.emplace_back(readObj(options.heads[i])));
+    StrandSet strands = loadHair(options, notes);
+    const std::vector<glm::vec3> roots = rootsOf(strands);
+    RigidTransform headFromFile;
+    if (options.heads.empty()) {
+      HeadFit fit = fitHeadToRoots(roots);
+      head = std::move(fit.head);
+      headFromFile = fit.headFromHair;
+      notes.push_back(
+          text("no --head: the built-in head was scaled under the roots, which lie on it to ",
+               fit.residual * 1000, " mm (mean)"));
+    } else {
+      headFromFile = loadHead(options, roots, head, eyes, notes);
+    }
+    makeCollider();
+    for (glm::vec3& p : strands.points) p = headFromFile.point(p);
+    BindSettings bind;
+    bind.guides = options.guides;
+    groom = bindGroom(strands, bind);
   }
-  collider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
-  for (glm::vec3& p : strands.points) p = headFromFile.point(p);
-  BindSettings bind;
-  bind.guides = options.guides;
-  return bindGroom(strands, bind);
 }
+
+namespace {
 
 Motion makeMotion(const SubjectOptions& options, std::vector<std::string>& notes) {
   if (options.still) return Motion::still();
@@ -137,10 +159,11 @@ float longest(const Groom& groom) {
 }  // namespace
 
 Subject::Subject(const SubjectOptions& options)
-    : groom(makeHair(options, head, eyes, headCollider, notes)),
-      motion(makeMotion(options, notes)),
+    : motion(makeMotion(options, notes)),
       body(motion.body()),
-      look(lookOf(options.hair.empty() ? options.style : Style::Smooth)),
-      longestStrand(longest(groom)) {}
+      look(lookOf(options.hair.empty() ? options.style : Style::Smooth)) {
+  makeHair(options);
+  longestStrand = longest(groom);
+}
 
 }  // namespace hair

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <apps/common/mesh_hair.h>
 #include <libhair/files/strand_file.h>
 #include <libhair/frame.h>
 #include <libhair/model/body_mesh.h>
@@ -19,7 +20,7 @@ namespace hair {
 /// Whose hair: what the options of `dance` and `hair simulate` say in the same words.
 struct SubjectOptions {
   Style style = Style::Smooth;  ///< --style, unless `hair` is given
-  std::filesystem::path hair;   ///< --hair FILE; empty: the style
+  std::filesystem::path hair;   ///< --hair FILE, strands or a hair mesh; empty: the style
   /// --head FILE, may be repeated: first the head, which hair collides with, then what is drawn
   /// with it (eyes). Empty: the built-in head, fitted to the hair.
   std::vector<std::filesystem::path> heads;
@@ -42,11 +43,15 @@ struct Subject {
   Head head;                       ///< head space
   std::vector<TriangleMesh> eyes;  ///< drawn with the head, head space
   std::unique_ptr<MeshSdf> headCollider;
+  std::optional<MeshHair> mesh;  ///< what the groom was made of, if it was a hair mesh
   Groom groom;
   Motion motion;
   BodyMesh body;
   KajiyaKaySettings look;
   float longestStrand = 0;  ///< metres
+
+ private:
+  void makeHair(const SubjectOptions& options);
 };
 
 }  // namespace hair

@@ -1,0 +1,97 @@
+#include <apps/common/mesh_hair.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <apps/common/subject.h>
+#include <libhair/core/error.h>
+#include <libhair/hair_mesh/hair_mesh_file.h>
+#include <libhair/hair_mesh/hair_mesh_script.h>
+#include <libhair/hair_mesh/mesh_groom.h>
+
+namespace hair {
+
+namespace {
+
+std::string extensionOf(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+#ifdef HAIR_WITH_HAIR_MESH
+
+// So many strands in all, each group its share.
+void askFor(std::uint32_t strands, std::vector<StrandGroup>& groups) {
+  double all = 0;
+  for (const StrandGroup& group : groups) all += group.strands;
+  for (StrandGroup& group : groups) {
+    const double share = strands * (group.strands / all);
+    group.strands = static_cast<std::uint32_t>(std::max(1.0, std::round(share)));
+    group.perSquareMetre = 0;
+  }
+}
+
+Hairstyle styleOf(const SubjectOptions& options) {
+  if (extensionOf(options.hair) == ".hairmesh")
+    return apply(readHairMeshScript(options.hair), filesBeside(options.hair));
+  return {readHairMesh(options.hair), {}};
+}
+
+#endif
+
+}  // namespace
+
+bool isHairMesh(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  return extension == ".hairmesh" || extension == ".obj";
+}
+
+#ifdef HAIR_WITH_HAIR_MESH
+
+MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& notes) {
+  MeshHair hair;
+  Hairstyle style = styleOf(options);
+  hair.mesh = std::move(style.mesh);
+  hair.groups = std::move(style.groups);
+  const std::string name = options.hair.filename().string();
+  if (hair.groups.empty()) {
+    hair.groups.emplace_back();
+    notes.push_back(text(name, ": no groups of strands; ", hair.groups.front().strands,
+                         " without styling (--strands asks for others)"));
+  }
+  if (options.strands > 0) askFor(options.strands, hair.groups);
+  if (options.points > 0)
+    for (StrandGroup& group : hair.groups) group.points = options.points;
+  hair.grown = growHair(hair.mesh, hair.groups);
+  notes.push_back(text(name, ": ", hair.mesh.vertexCount(), " vertices in ",
+                       hair.mesh.layerCount(), " layers, ", hair.mesh.bundleCount(),
+                       " bundles; ", hair.grown.strands.strandCount(), " strands"));
+  return hair;
+}
+
+Groom groomOf(const MeshHair& hair) {
+  return makeGroom(hair.mesh, hair.grown.roots, hair.grown.strands);
+}
+
+#else
+
+MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>&) {
+  throw Error(text(options.hair.string(), ": hair meshes were left out of this build; configure it "
+                                          "with HAIR_WITH_HAIR_MESH=ON"));
+}
+
+Groom groomOf(const MeshHair&) { return {}; }  // there is no MeshHair to make one of
+
+#endif
+
+void moveBy(const RigidTransform& to, MeshHair& hair) {
+  for (HairMesh::Layer& layer : hair.mesh.layers)
+    for (glm::vec3& p : layer.positions) p = to.point(p);
+  for (glm::vec3& p : hair.grown.strands.points) p = to.point(p);
+  for (HairMeshRoots& roots : hair.grown.roots)
+    for (glm::vec3& p : roots.positions) p = to.point(p);
+}
+
+}  // namespace hair

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <libhair/core/transform.h>
+#include <libhair/hair_mesh/hair_mesh.h>
+#include <libhair/hair_mesh/styling.h>
+#include <libhair/model/groom.h>
+
+namespace hair {
+
+struct SubjectOptions;
+
+/// Whether a file is a hair mesh by its name: .hairmesh (a script) or .obj (layers).
+bool isHairMesh(const std::filesystem::path& file);
+
+/// Hair that is modelled as a mesh, and the strands grown in it.
+struct MeshHair {
+  HairMesh mesh;
+  std::vector<StrandGroup> groups;
+  GrownHair grown;
+};
+
+/// Reads or builds the mesh of options.hair and grows its groups; of an .obj, which has none, one
+/// group as StrandGroup has it. --strands and --points count for the groups together and for each.
+/// Throws Error (file, line, cause), and where hair meshes were left out of the build.
+MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& notes);
+
+/// Moves mesh and strands with the head they grow on.
+void moveBy(const RigidTransform& to, MeshHair& hair);
+
+/// The groom that is simulated: chains of the mesh are its guides.
+Groom groomOf(const MeshHair& hair);
+
+}  // namespace hair
