@@ -47,7 +47,8 @@ double framesASecond(const HairMesh& mesh, std::uint32_t pointsPerGuide, std::ui
                      int frames) {
   const StrandGroup group{.strands = strands, .points = 32};
   const GrownHair grown = growHair(mesh, {&group, 1});
-  const Groom groom = makeGroom(mesh, grown.roots, grown.strands, {.pointsPerGuide = pointsPerGuide});
+  const Groom groom =
+      makeGroom(mesh, grown.roots, grown.strands, {.pointsPerGuide = pointsPerGuide});
   static const MeshSdf head(builtinHead().mesh, 0.004f, 0.03f);
   FrameSettings settings;
   settings.shadow = settings.shade = settings.selfCollision = false;
@@ -56,8 +57,8 @@ double framesASecond(const HairMesh& mesh, std::uint32_t pointsPerGuide, std::ui
   ProfileLog log;
   RigidTransform pose;
   for (int f = 0; f < frames; ++f) {
-    pose.rotation = glm::angleAxis(0.5f * std::sin(0.1f * static_cast<float>(f)),
-                                   glm::vec3(0, 1, 0));
+    pose.rotation =
+        glm::angleAxis(0.5f * std::sin(0.1f * static_cast<float>(f)), glm::vec3(0, 1, 0));
     profile = {};
     frame({pose, {}}, settings, 1.0f / 60, hair, profile);
     log.add(profile);

@@ -1,7 +1,7 @@
 // Tables 1 and 2 of Bertails et al. 2005, measured here: seconds a frame, by stage, of the smooth
 // and the curly style while they dance; beside them, in the same run and on the same strands, the
-// literal transcription of the paper's section 3 on one thread. Then the simulation of Yuksel et al.
-// 2009, section 4.
+// literal transcription of the paper's section 3 on one thread. Then the simulation of Yuksel et
+// al. 2009, section 4.
 //
 //   paper_tables [frames, default 120]
 #include <algorithm>

@@ -102,7 +102,9 @@ void addHairOptions(CLI::App& command, SubjectOptions& subject) {
                                 "built-in hairstyle: smooth, curly or long; default smooth")
                     ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case).description(""))
                     ->type_name("STYLE");
-  command.add_option("--hair", subject.hair, "hair of a file instead: .hair, .tfx or .data; or a hair mesh: .hairmesh or .obj")
+  command
+      .add_option("--hair", subject.hair,
+                  "hair of a file instead: .hair, .tfx or .data; or a hair mesh: .hairmesh or .obj")
       ->excludes(style);
   command
       .add_option("--strands", subject.strands,

@@ -35,7 +35,7 @@ void askFor(std::uint32_t strands, std::vector<StrandGroup>& groups) {
 
 Hairstyle styleOf(const SubjectOptions& options) {
   if (extensionOf(options.hair) == ".hairmesh")
-    return apply(readHairMeshScript(options.hair), filesBeside(options.hair));
+    return hair::apply(readHairMeshScript(options.hair), filesBeside(options.hair));
   return {readHairMesh(options.hair), {}};
 }
 
@@ -65,9 +65,9 @@ MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& n
   if (options.points > 0)
     for (StrandGroup& group : hair.groups) group.points = options.points;
   hair.grown = growHair(hair.mesh, hair.groups);
-  notes.push_back(text(name, ": ", hair.mesh.vertexCount(), " vertices in ",
-                       hair.mesh.layerCount(), " layers, ", hair.mesh.bundleCount(),
-                       " bundles; ", hair.grown.strands.strandCount(), " strands"));
+  notes.push_back(text(name, ": ", hair.mesh.vertexCount(), " vertices in ", hair.mesh.layerCount(),
+                       " layers, ", hair.mesh.bundleCount(), " bundles; ",
+                       hair.grown.strands.strandCount(), " strands"));
   return hair;
 }
 
@@ -78,11 +78,14 @@ Groom groomOf(const MeshHair& hair) {
 #else
 
 MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>&) {
-  throw Error(text(options.hair.string(), ": hair meshes were left out of this build; configure it "
-                                          "with HAIR_WITH_HAIR_MESH=ON"));
+  throw Error(text(options.hair.string(),
+                   ": hair meshes were left out of this build; configure it "
+                   "with HAIR_WITH_HAIR_MESH=ON"));
 }
 
-Groom groomOf(const MeshHair&) { return {}; }  // there is no MeshHair to make one of
+Groom groomOf(const MeshHair&) {
+  return {};
+}  // there is no MeshHair to make one of
 
 #endif
 

@@ -16,12 +16,11 @@ struct MeshGroomSettings {
 /// links of equal length along the spline that strands follow too, and every strand hangs on the
 /// chains at the corners of its face.
 ///
-/// `roots` and `strands` are those of the groups, one after the other: as many roots as strands, the
-/// strands styled or not (head space).
-/// Deviation: of a face's corners the three of most weight lead a strand, as everywhere in a Groom;
-/// its offsets hold the rest, so that at rest the strands are reproduced to rounding.
-/// Throws Error: no strands, counts or bundles that do not fit, a chain shorter than 1 mm, settings
-/// out of range.
+/// `roots` and `strands` are those of the groups, one after the other: as many roots as strands,
+/// the strands styled or not (head space). Deviation: of a face's corners the three of most weight
+/// lead a strand, as everywhere in a Groom; its offsets hold the rest, so that at rest the strands
+/// are reproduced to rounding. Throws Error: no strands, counts or bundles that do not fit, a chain
+/// shorter than 1 mm, settings out of range.
 Groom makeGroom(const HairMesh& mesh, std::span<const HairMeshRoots> roots, StrandView strands,
                 const MeshGroomSettings& settings = {});
 

@@ -86,13 +86,13 @@ TEST(MeshGroom, StrandsFollowTheMeshThatMovesWithItsChains) {
       moved.layers[k].positions[chains.chain(c)[k]] = points[c * 16 + k * 15 / 4];
   for (std::size_t k : {0u, 4u})
     for (std::uint32_t v = 0; v < moved.layers[k].vertexCount(); ++v)
-      motion = std::max(
-          motion, glm::distance(moved.layers[k].positions[v], g.mesh.layers[k].positions[v]));
+      motion = std::max(motion,
+                        glm::distance(moved.layers[k].positions[v], g.mesh.layers[k].positions[v]));
   StrandSet traced;
   traceStrands(moved, g.roots, 2, traced);  // roots and tips: exact in both
   for (std::size_t s = 0; s < traced.strandCount(); ++s)
-    farthest = std::max(
-        farthest, glm::distance(traced.strand(s).back(), hair.strands().strand(s).back()));
+    farthest =
+        std::max(farthest, glm::distance(traced.strand(s).back(), hair.strands().strand(s).back()));
   EXPECT_GT(motion, 0.02f);
   EXPECT_LT(farthest, 0.03f * motion) << motion;  // measured: 0.022
 }
