@@ -27,4 +27,12 @@ struct HairMeshChains {
 /// In order of the corners that they end at. `mesh` must be valid.
 HairMeshChains chainsOf(const HairMesh& mesh);
 
+/// Moves the vertices of a mesh with the guides that its chains became (makeGroom): each to where
+/// its chain's guide is now, at the share of the length that it had on `rest`; what several chains
+/// share, to their mean. `guidePoints`: [chainCount · pointsPerGuide], root first. `moved` is of
+/// the topology of `rest`. Throws Error where counts differ.
+void followGuides(const HairMesh& rest, const HairMeshChains& chains,
+                  std::span<const glm::vec3> guidePoints, std::uint32_t pointsPerGuide,
+                  HairMesh& moved);
+
 }  // namespace hair

@@ -19,7 +19,6 @@ struct UpperEdge {
   bool operator==(const UpperEdge& other) const { return low == other.low && high == other.high; }
 };
 
-// Ascending, so that quads that two bundles share stand side by side.
 std::vector<UpperEdge> upperEdges(const HairMesh& mesh, std::size_t layer) {
   const std::vector<std::uint32_t>& corners = mesh.layers[layer].corners;
   std::vector<UpperEdge> edges;
@@ -31,11 +30,22 @@ std::vector<UpperEdge> upperEdges(const HairMesh& mesh, std::size_t layer) {
       edges.push_back({low, high, c, next});
     }
   }
-  std::sort(edges.begin(), edges.end());
+  std::stable_sort(edges.begin(), edges.end());
   return edges;
 }
 
 }  // namespace
+
+std::vector<PrismSide> prismSides(const HairMesh& mesh, std::size_t layer) {
+  std::vector<PrismSide> quads;
+  const std::vector<UpperEdge> edges = upperEdges(mesh, layer);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (e > 0 && edges[e] == edges[e - 1]) continue;
+    const bool shared = e + 1 < edges.size() && edges[e] == edges[e + 1];
+    quads.push_back({edges[e].corner, edges[e].next, !shared});
+  }
+  return quads;
+}
 
 std::vector<std::vector<std::uint8_t>> exteriorVertices(const HairMesh& mesh) {
   std::vector<std::vector<std::uint8_t>> exterior;
@@ -46,17 +56,14 @@ std::vector<std::vector<std::uint8_t>> exteriorVertices(const HairMesh& mesh) {
     for (const std::uint32_t v : mesh.face(mesh.lastLayer[j], j))
       exterior[mesh.lastLayer[j]][v] = 1;
 
-  for (std::size_t k = 1; k < mesh.layerCount(); ++k) {
-    const std::vector<UpperEdge> edges = upperEdges(mesh, k);
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      if ((e > 0 && edges[e] == edges[e - 1]) || (e + 1 < edges.size() && edges[e] == edges[e + 1]))
-        continue;
-      for (const std::uint32_t corner : {edges[e].corner, edges[e].next}) {
+  for (std::size_t k = 1; k < mesh.layerCount(); ++k)
+    for (const PrismSide& quad : prismSides(mesh, k)) {
+      if (!quad.outer) continue;
+      for (const std::uint32_t corner : {quad.corner, quad.next}) {
         exterior[k][mesh.layers[k].corners[corner]] = 1;
         exterior[k - 1][mesh.layers[k - 1].corners[corner]] = 1;
       }
     }
-  }
   return exterior;
 }
 

@@ -12,4 +12,14 @@ namespace hair {
 /// volume, where no one sees it. `mesh` is valid (validate).
 std::vector<std::vector<std::uint8_t>> exteriorVertices(const HairMesh& mesh);
 
+/// A side of a prism: corner and the one after it around its face, in two layers.
+struct PrismSide {
+  std::uint32_t corner, next;
+  bool outer;  ///< of one bundle alone
+};
+
+/// Side quads between `layer` (1 or above) and the one below, each once: of two bundles that share
+/// one, the first is named.
+std::vector<PrismSide> prismSides(const HairMesh& mesh, std::size_t layer);
+
 }  // namespace hair

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+
+#include <libhair/core/triangle_mesh.h>
+#include <libhair/hair_mesh/hair_mesh.h>
+
+namespace hair {
+
+/// The outer surface of the volume, as it is modelled (Yuksel et al. 2009, section 3.3): tip faces
+/// and the side quads that a single bundle has; the scalp is left open. Every face has vertices and
+/// a normal of its own, so that it is drawn flat. Faces between more than three corners are fans
+/// around their middle. `mesh` is valid.
+TriangleMesh outerSurface(const HairMesh& mesh);
+
+/// Edges of faces, and from layer to layer, each once.
+struct HairMeshLine {
+  HairMeshVertex a, b;
+};
+std::vector<HairMeshLine> linesOf(const HairMesh& mesh);
+
+}  // namespace hair
