@@ -1,7 +1,6 @@
 #include <apps/common/mesh_hair.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <apps/common/subject.h>
@@ -13,14 +12,6 @@
 namespace hair {
 
 namespace {
-
-std::string extensionOf(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
-#ifdef HAIR_WITH_HAIR_MESH
 
 // So many strands in all, each group its share.
 void askFor(std::uint32_t strands, std::vector<StrandGroup>& groups) {
@@ -34,21 +25,12 @@ void askFor(std::uint32_t strands, std::vector<StrandGroup>& groups) {
 }
 
 Hairstyle styleOf(const SubjectOptions& options) {
-  if (extensionOf(options.hair) == ".hairmesh")
+  if (isHairMeshScript(options.hair))
     return hair::apply(readHairMeshScript(options.hair), filesBeside(options.hair));
   return {readHairMesh(options.hair), {}};
 }
 
-#endif
-
 }  // namespace
-
-bool isHairMesh(const std::filesystem::path& file) {
-  const std::string extension = extensionOf(file);
-  return extension == ".hairmesh" || extension == ".obj";
-}
-
-#ifdef HAIR_WITH_HAIR_MESH
 
 MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& notes) {
   MeshHair hair;
@@ -74,20 +56,6 @@ MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& n
 Groom groomOf(const MeshHair& hair) {
   return makeGroom(hair.mesh, hair.grown.roots, hair.grown.strands);
 }
-
-#else
-
-MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>&) {
-  throw Error(text(options.hair.string(),
-                   ": hair meshes were left out of this build; configure it "
-                   "with HAIR_WITH_HAIR_MESH=ON"));
-}
-
-Groom groomOf(const MeshHair&) {
-  return {};
-}  // there is no MeshHair to make one of
-
-#endif
 
 void moveBy(const RigidTransform& to, MeshHair& hair) {
   for (HairMesh::Layer& layer : hair.mesh.layers)

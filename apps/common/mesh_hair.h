@@ -13,8 +13,13 @@ namespace hair {
 
 struct SubjectOptions;
 
-/// Whether a file is a hair mesh by its name: .hairmesh (a script) or .obj (layers).
-bool isHairMesh(const std::filesystem::path& file);
+/// Whether a file is a hair mesh by its name: a script (.hairmesh), or layers (.obj).
+inline bool isHairMeshScript(const std::filesystem::path& file) {
+  return file.extension() == ".hairmesh";
+}
+inline bool isHairMesh(const std::filesystem::path& file) {
+  return isHairMeshScript(file) || file.extension() == ".obj";
+}
 
 /// Hair that is modelled as a mesh, and the strands grown in it.
 struct MeshHair {

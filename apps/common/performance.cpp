@@ -100,7 +100,7 @@ void Performance::setSelfCollision(bool on, const RepulsionSettings& repulsion) 
     atRest.repulsion = repulsion;
     const BodyPose first = subject.motion.pose(0);
     hair.repulsion = std::move(
-        Hair(subject.groom, atRest, {first.worldFromHead, first.capsules}, hair.head).repulsion);
+        Hair(*hair.groom, atRest, {first.worldFromHead, first.capsules}, hair.head).repulsion);
   }
   // What was felt before hair-hair contact was last off is of no use now.
   if (!settings.selfCollision)

@@ -26,12 +26,6 @@ glm::vec3 skull(const Subject& subject) {
   return {0, box.upper.y - 0.11f, 0};
 }
 
-glm::mat4 matrixOf(const RigidTransform& t) {
-  glm::mat4 m = glm::mat4_cast(t.rotation);
-  m[3] = glm::vec4(t.translation, 1);
-  return m;
-}
-
 // How bare the head is of hair: 0 where roots are close, 1 away from them.
 std::vector<float> bareness(const Performance& performance) {
   const TriangleMesh& mesh = performance.subject.head.mesh;
@@ -56,6 +50,12 @@ std::vector<float> bareness(const Performance& performance) {
 }
 
 }  // namespace
+
+glm::mat4 matrixOf(const RigidTransform& t) {
+  glm::mat4 m = glm::mat4_cast(t.rotation);
+  m[3] = glm::vec4(t.translation, 1);
+  return m;
+}
 
 Staging::Staging(Performance& performance)
     : performance_(performance), bare_(bareness(performance)) {
@@ -108,13 +108,14 @@ void Staging::updateMeshes() {
   dyeScalp();
   const Subject& subject = performance_.subject;
   for (draw::MeshLayer& layer : scene.meshes)
-    if (layer.mesh != &body_) layer.worldFromMesh = matrixOf(performance_.pose.worldFromHead);
+    if (layer.mesh != &body_ && layer.mesh != &hairSurface_)
+      layer.worldFromMesh = matrixOf(performance_.pose.worldFromHead);
   subject.body.skin(performance_.pose.worldFromJoint, body_);
 }
 
 void Staging::updateHair(draw::Renderer& renderer) {
-  const Groom& groom = performance_.subject.groom;
   Hair& hair = performance_.hair;
+  const Groom& groom = *hair.groom;
   FrameSettings& settings = performance_.settings;
   const std::size_t points = hair.wisps.points.size();
   settings.eye = scene.camera.eye();
@@ -173,6 +174,25 @@ void Staging::updateInternals() {
   }
 }
 
+// Made when it is asked for: a topology is shown for long.
+void Staging::updateHairMesh() {
+  const bool asked = shown.mesh || shown.meshInside || shown.meshSurface;
+  const bool surface = shown.meshSurface && performance_.subject.mesh;
+  scene.meshes.resize(2 + performance_.subject.eyes.size());
+  if (!asked || !performance_.subject.mesh) return;
+  if (!hairMesh_) hairMesh_.emplace(performance_.subject.mesh->mesh);
+  if (edited)
+    hairMesh_->place(*edited, performance_.pose.worldFromHead);
+  else
+    hairMesh_->follow(performance_.hair);
+  if (shown.mesh || shown.meshInside) hairMesh_->drawLines(shown.meshInside, scene.debug);
+  if (!surface) return;
+  hairSurface_ = hairMesh_->surface();
+  scene.meshes.push_back({&hairSurface_, glm::mat4(1), glm::vec3(0.35f, 0.42f, 0.5f), {}, 0.7f});
+  scene.hair[0].strands = {};
+  scene.hair[0].colours = scene.hair[0].leftColours = {};
+}
+
 const draw::Scene& Staging::update(draw::Renderer& renderer) {
   // A frame that stands still is drawn more than once.
   stageTime(Stage::Shade) = stageTime(Stage::Draw) = {};
@@ -182,6 +202,7 @@ const draw::Scene& Staging::update(draw::Renderer& renderer) {
   updateMeshes();
   updateHair(renderer);
   updateInternals();
+  updateHairMesh();
   return scene;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include <apps/common/mesh_overlay.h>
 #include <apps/common/performance.h>
 #include <apps/draw/renderer.h>
 #include <apps/draw/scene.h>
@@ -12,8 +14,13 @@ namespace hair {
 struct InternalsShown {
   bool guides = false;
   bool colliders = false;
-  bool cells = false;  ///< occupied cells of the first light's map, coloured by transmittance
+  bool cells = false;        ///< occupied cells of the first light's map, coloured by transmittance
+  bool mesh = false;         ///< lines and vertices of the hair mesh that the hair was grown in
+  bool meshInside = false;   ///< those of its interior too
+  bool meshSurface = false;  ///< its surface, in place of the hair
 };
+
+glm::mat4 matrixOf(const RigidTransform& transform);
 
 /// Puts a performance on a stage: head, body and hair as layers of a scene, the hair shaded for the
 /// scene's camera and lights, with the meshes' shadow on it. The performance's own frames are no
@@ -39,6 +46,8 @@ class Staging {
 
   draw::Scene scene;  ///< camera, lights and ground may be changed between updates
   InternalsShown shown;
+  /// The hair mesh while it is edited, head space: shown instead of where its chains are.
+  const HairMesh* edited = nullptr;
   bool follow = true;
   bool headShadowsHair = true;
 
@@ -47,12 +56,15 @@ class Staging {
   void updateMeshes();
   void updateHair(draw::Renderer& renderer);
   void updateInternals();
+  void updateHairMesh();
   StageTime& stageTime(Stage stage) {
     return performance_.profile[static_cast<std::size_t>(stage)];
   }
 
   Performance& performance_;
   TriangleMesh body_;
+  std::optional<MeshOverlay> hairMesh_;
+  TriangleMesh hairSurface_;
   std::vector<float> bare_;                ///< [head vertexCount], 0 under the hair
   std::vector<glm::vec3> scalp_;           ///< [head vertexCount], of the hair's colour there
   glm::vec3 dye_{0};                       ///< that colour

@@ -64,13 +64,15 @@ struct Controls {
   bool follow = true;
   bool ground = true;
   InternalsShown internals;
+  bool editMesh = false;  ///< the hair mesh: the dancer stands still, and its vertices are dragged
   bool internalsOnTop = true;
 };
 
 /// What the panel asks for once.
 struct Requests {
   bool step = false, reset = false;
-  bool grow = false;  ///< hair as Controls::growth says
+  bool grow = false;                ///< hair as Controls::growth says
+  bool undo = false, redo = false;  ///< of the hair mesh's edits
 };
 
 /// What the panel shows of the simulation.
@@ -89,6 +91,10 @@ struct Readout {
   Controls::Growth grown;          ///< the hair there is
   std::string failure;             ///< why the last growing failed; or empty
   std::vector<std::string> notes;  ///< on loading
+  bool hasMesh = false;            ///< the hair was grown in a hair mesh
+  bool canUndo = false, canRedo = false;
+  double editMilliseconds = 0;            ///< that the last edit took, all of it
+  std::uint32_t placementIterations = 0;  ///< of conjugate gradients, for interior vertices
   History history;
 
   // What the panel's last drawing says of itself.

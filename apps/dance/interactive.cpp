@@ -104,6 +104,12 @@ void Interactive::obey(const Requests& asked, const draw::WindowRequests& keys) 
     show_->performance.restart();
     pace_ = Pace(options_.performance.fps);
   }
+  if (asked.undo) show_->undo();
+  if (asked.redo) show_->redo();
+  if (controls_.editMesh) {
+    controls_.paused = true;
+    window_.holdDrag(show_->edit(window_.pointer(), {window_.width(), window_.height()}));
+  }
   if (controls_.ownLook) controls_.look = show_->subject.look;
   show_->apply(controls_);
   makeRenderer();

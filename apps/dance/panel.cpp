@@ -186,6 +186,24 @@ void drawPicture(Controls& c, const Readout& r) {
   if (r.softwareDrawing) ImGui::TextUnformatted("drawn by the CPU: no graphics card");
 }
 
+void drawMesh(Controls& c, const Readout& r, Requests& requests) {
+  ImGui::Checkbox("edit: drag blue vertices", &c.editMesh);
+  ImGui::Checkbox("mesh", &c.internals.mesh);
+  ImGui::SameLine();
+  ImGui::Checkbox("interior", &c.internals.meshInside);
+  ImGui::SameLine();
+  ImGui::Checkbox("surface, no hair", &c.internals.meshSurface);
+  ImGui::BeginDisabled(!r.canUndo);
+  requests.undo = ImGui::Button("undo");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!r.canRedo);
+  requests.redo = ImGui::Button("redo");
+  ImGui::EndDisabled();
+  if (r.editMilliseconds > 0)
+    ImGui::Text("last edit: %.1f ms, %u iterations", r.editMilliseconds, r.placementIterations);
+}
+
 void drawInternals(Controls& c) {
   ImGui::Checkbox("guides", &c.internals.guides);
   ImGui::Checkbox("body colliders", &c.internals.colliders);
@@ -221,6 +239,7 @@ Requests drawPanel(Controls& c, Readout& r) {
     requests = drawPlayback(c);
     drawState(r);
     section("Hair", true, [&] { requests.grow = drawGrowth(c.growth, r); });
+    if (r.hasMesh) section("Hair mesh", true, [&] { drawMesh(c, r, requests); });
     section("Colour", false, [&] { drawColour(c); });
     section("Self-shadowing", true, [&] { drawShadow(c, r); });
     section("Self-collision", false, [&] { drawSelfCollision(c.selfCollision); });

@@ -1,6 +1,9 @@
 #include <apps/dance/show.h>
 
+#include <chrono>
 #include <cmath>
+
+#include <libhair/between_frames.h>
 
 namespace hair {
 
@@ -60,6 +63,7 @@ void Show::apply(const Controls& c) {
   staging.headShadowsHair = c.headShadowsHair;
   staging.follow = c.follow;
   staging.shown = c.internals;
+  staging.edited = c.editMesh && editor_ ? &editor_->hair().mesh : nullptr;
   staging.scene.debug.onTop = c.internalsOnTop;
   staging.scene.ground.visible = c.ground;
   staging.scene.hair[0].primitive = c.primitive;
@@ -94,6 +98,46 @@ void Show::takeOver(const draw::Scene& before) {
   staging.scene.lights = before.lights;
 }
 
+// Makes an edit, and hair of what it leaves.
+template <class Edit>
+void Show::change(Edit edit) {
+  const auto start = std::chrono::steady_clock::now();
+  edit();
+  Hair& hair = performance.hair;
+  Groom& next = edited_[hair.groom == &edited_[0] ? 1 : 0];
+  next = groomOf(editor_->hair());
+  changeGroom(next, performance.settings, hair);
+  restart(hair.body(), performance.settings, 0, hair);
+  performance.relight();
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+  editMilliseconds_ = took.count();
+}
+
+bool Show::edit(const draw::Pointer& pointer, glm::vec2 size) {
+  if (!subject.mesh) return false;
+  if (!editor_) editor_ = std::make_unique<MeshEditor>(*subject.mesh);
+  const draw::Camera& camera = staging.scene.camera;
+  const glm::mat4 clipFromHead = camera.clipFromView(size.x / size.y) * camera.viewFromWorld() *
+                                 matrixOf(performance.pose.worldFromHead);
+  if (pointer.pressed) dragged_ = editor_->pick(clipFromHead, size, pointer.at);
+  if (!dragged_) return false;
+  if (pointer.down && !pointer.pressed)
+    change([&] { editor_->drag(*dragged_, clipFromHead, size, pointer.at); });
+  if (!pointer.down) {
+    editor_->drop();
+    dragged_.reset();
+  }
+  return dragged_.has_value();
+}
+
+void Show::undo() {
+  change([&] { editor_->undo(); });
+}
+
+void Show::redo() {
+  change([&] { editor_->redo(); });
+}
+
 void Show::report(Readout& r) const {
   const Hair& hair = performance.hair;
   r.strands = hair.strands().strandCount();
@@ -109,6 +153,11 @@ void Show::report(Readout& r) const {
   r.cellSize = performance.settings.map.cellSize;
   r.time = performance.time;
   r.duration = subject.motion.duration();
+  r.hasMesh = subject.mesh.has_value();
+  r.canUndo = editor_ && editor_->canUndo();
+  r.canRedo = editor_ && editor_->canRedo();
+  r.editMilliseconds = editMilliseconds_;
+  r.placementIterations = editor_ ? editor_->placement().iterations : 0;
 }
 
 }  // namespace hair

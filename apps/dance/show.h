@@ -1,7 +1,13 @@
 #pragma once
 
+#include <array>
+#include <memory>
+#include <optional>
+
+#include <apps/common/mesh_editor.h>
 #include <apps/dance/controls.h>
 #include <apps/dance/dance.h>
+#include <apps/draw/window.h>
 
 namespace hair {
 
@@ -23,12 +29,25 @@ class Show {
   void takeOver(const draw::Scene& before);
   void report(Readout& readout) const;
 
+  /// Lets the pointer pick and drag vertices of the hair mesh in a picture of so many pixels; the
+  /// hair follows, at rest. Returns whether it holds one.
+  bool edit(const draw::Pointer& pointer, glm::vec2 size);
+  void undo();
+  void redo();
+
   Subject subject;
   Performance performance;
   Staging staging;
   ProfileLog drawn;  ///< of the frames whose drawing was timed
 
  private:
+  template <class Edit>
+  void change(Edit edit);
+
+  std::unique_ptr<MeshEditor> editor_;  // once the mesh has been edited
+  std::optional<HairMeshVertex> dragged_;
+  std::array<Groom, 2> edited_;  // the hair's own, and the next
+  double editMilliseconds_ = 0;
   Controls applied_;
   float mapExtent_;  // metres; the same for any number of cells
 };

@@ -53,6 +53,8 @@ struct Window::State {
   double cursorX = 0, cursorY = 0, wheel = 0;
   ImGuiContext* panel = nullptr;
   WindowRequests requests;
+  Pointer pointer;
+  bool held = false, buttonBefore = false;
 
   ~State() {
     if (panel) {
@@ -64,6 +66,7 @@ struct Window::State {
     glfwTerminate();
   }
 
+  void point();
   void drag(Scene& scene);
 };
 
@@ -127,6 +130,20 @@ Window::Window(const std::string& title, int width, int height) : state(std::mak
 
 Window::~Window() = default;
 
+void Window::State::point() {
+  double x = 0, y = 0;
+  glfwGetCursorPos(window, &x, &y);
+  int unitsWide = 1, unitsHigh = 1;
+  glfwGetWindowSize(window, &unitsWide, &unitsHigh);
+  pointer.at = {float(x * width / std::max(1, unitsWide)) - float(margin),
+                float(y * height / std::max(1, unitsHigh))};
+  const bool before = pointer.down;
+  const bool button = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+  pointer.pressed = button && !buttonBefore && !ImGui::GetIO().WantCaptureMouse;
+  pointer.down = button && (before || pointer.pressed);
+  buttonBefore = button;
+}
+
 void Window::State::drag(Scene& scene) {
   Camera& camera = scene.camera;
   double x = 0, y = 0;
@@ -147,7 +164,7 @@ void Window::State::drag(Scene& scene) {
     if (dx != 0 || dy != 0) turnLight(scene, turn * dx, turn * dy);
   } else if (down(GLFW_MOUSE_BUTTON_MIDDLE)) {
     camera.pan({-dx, -dy});
-  } else if (down(GLFW_MOUSE_BUTTON_LEFT)) {
+  } else if (down(GLFW_MOUSE_BUTTON_LEFT) && !held) {
     camera.orbit(-turn * dx, -turn * dy);
   }
   if (turns != 0) camera.zoom(std::pow(0.9f, float(turns)));
@@ -164,12 +181,21 @@ bool Window::beginFrame(Scene& scene) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
+  s.point();
   s.drag(scene);
   return true;
 }
 
 WindowRequests Window::requests() const {
   return state->requests;
+}
+
+Pointer Window::pointer() const {
+  return state->pointer;
+}
+
+void Window::holdDrag(bool held) {
+  state->held = held;
 }
 
 void Window::endFrame(const Renderer& renderer) {

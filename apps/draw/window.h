@@ -15,6 +15,13 @@ struct WindowRequests {
   bool panel = false;  ///< Tab: show or hide the panel
 };
 
+/// The mouse over the picture.
+struct Pointer {
+  glm::vec2 at{0};       ///< pixels of the picture, from its upper left corner
+  bool pressed = false;  ///< the left button went down in this frame, over the picture
+  bool down = false;     ///< it is down, and was pressed there
+};
+
 /// A window with an OpenGL 3.3 core context, the mouse on camera and first light, and Dear ImGui.
 ///
 ///   Window window("dance", 1280, 720);
@@ -39,6 +46,10 @@ class Window {
   /// Polls events, moves camera and light, opens an ImGui frame. False once the window is closed.
   bool beginFrame(Scene& scene);
   WindowRequests requests() const;
+
+  Pointer pointer() const;
+  /// While `held`, the left button drags what the caller has picked, and does not turn the camera.
+  void holdDrag(bool held);
 
   /// Shows what the renderer drew last, the panel over it.
   void endFrame(const Renderer& renderer);

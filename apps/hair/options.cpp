@@ -105,6 +105,11 @@ void addRender(CLI::App& app, Run& run) {
   command->add_flag("--side-by-side", options->sideBySide, "left half without self-shadowing");
   command->add_flag("--show-guides", options->shown.guides, "draw the simulated strands");
   command->add_flag("--show-colliders", options->shown.colliders, "draw the body's capsules");
+  command->add_flag("--show-mesh", options->shown.mesh,
+                    "draw the hair mesh that the hair was grown in: scalp green, tips purple");
+  command->add_flag("--show-mesh-inside", options->shown.meshInside, "and its interior, red");
+  command->add_flag("--mesh-surface", options->shown.meshSurface,
+                    "draw the hair mesh's surface in place of the hair");
   command->add_flag("--show-cells", options->shown.cells,
                     "draw the occupied cells by transmittance");
   command->footer(
