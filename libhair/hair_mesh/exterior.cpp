@@ -43,13 +43,13 @@ std::vector<std::vector<std::uint8_t>> exteriorVertices(const HairMesh& mesh) {
 
   if (!exterior.empty()) std::fill(exterior.front().begin(), exterior.front().end(), 1);
   for (std::size_t j = 0; j < mesh.bundleCount(); ++j)
-    for (const std::uint32_t v : mesh.face(mesh.lastLayer[j], j)) exterior[mesh.lastLayer[j]][v] = 1;
+    for (const std::uint32_t v : mesh.face(mesh.lastLayer[j], j))
+      exterior[mesh.lastLayer[j]][v] = 1;
 
   for (std::size_t k = 1; k < mesh.layerCount(); ++k) {
     const std::vector<UpperEdge> edges = upperEdges(mesh, k);
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      if ((e > 0 && edges[e] == edges[e - 1]) ||
-          (e + 1 < edges.size() && edges[e] == edges[e + 1]))
+      if ((e > 0 && edges[e] == edges[e - 1]) || (e + 1 < edges.size() && edges[e] == edges[e + 1]))
         continue;
       for (const std::uint32_t corner : {edges[e].corner, edges[e].next}) {
         exterior[k][mesh.layers[k].corners[corner]] = 1;

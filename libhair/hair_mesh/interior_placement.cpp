@@ -195,10 +195,9 @@ double InteriorPlacement::gather(const HairMesh& mesh) {
 // that bring the gradient of E to zero.
 PlacementResult InteriorPlacement::solve(double size, const PlacementSettings& settings) {
   const std::size_t rows = freeCount();
-  const std::uint32_t most =
-      settings.maxIterations > 0
-          ? settings.maxIterations
-          : static_cast<std::uint32_t>(std::min<std::size_t>(rows, 10'000));
+  const std::uint32_t most = settings.maxIterations > 0
+                                 ? settings.maxIterations
+                                 : static_cast<std::uint32_t>(std::min<std::size_t>(rows, 10'000));
 
   // Weights are whole numbers and places are floats: these sums are exact.
   glm::dvec3 alike(0);
@@ -212,7 +211,9 @@ PlacementResult InteriorPlacement::solve(double size, const PlacementSettings& s
     alike += residual_[r] * direction_[r];
   }
   PlacementResult result;
-  const auto left = [&] { return std::sqrt(sum(alike) / diagonalSum_); };  // metres, root mean square
+  const auto left = [&] {
+    return std::sqrt(sum(alike) / diagonalSum_);
+  };  // metres, root mean square
   while (left() > settings.tolerance * size && result.iterations < most) {
     glm::dvec3 curvature(0);
     for (std::size_t r = 0; r < rows; ++r) {
