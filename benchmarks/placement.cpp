@@ -112,7 +112,7 @@ void measure(const Work& work) {
   const double first = secondsOf([&] { peer.place(ceres::CGNR, other); });
   const double firstOff = farthest(other, exact(other));
   std::vector<double> again;
-  for (int i = 0; i < (repeats > 5 ? 5 : 3); ++i) {
+  for (int i = 0; i < (repeats > 5 ? 5 : 1); ++i) {
     drag(other, i);
     again.push_back(secondsOf([&] { peer.place(ceres::CGNR, other); }));
   }
