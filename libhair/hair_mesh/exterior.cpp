@@ -49,6 +49,7 @@ std::vector<PrismSide> prismSides(const HairMesh& mesh, std::size_t layer) {
 
 std::vector<std::vector<std::uint8_t>> exteriorVertices(const HairMesh& mesh) {
   std::vector<std::vector<std::uint8_t>> exterior;
+  exterior.reserve(mesh.layerCount());
   for (const HairMesh::Layer& layer : mesh.layers) exterior.emplace_back(layer.vertexCount(), 0);
 
   if (!exterior.empty()) std::fill(exterior.front().begin(), exterior.front().end(), 1);

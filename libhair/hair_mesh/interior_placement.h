@@ -31,7 +31,7 @@ struct PlacementResult {
 /// E is the same quadratic in x, y and z: one symmetric matrix of whole numbers, made here, once,
 /// from topology and pins. An edit of places costs its right-hand side and conjugate gradients
 /// (Shewchuk 1994, preconditioned by the diagonal) from where the vertices are. The gradients are
-/// double: the condition of the matrix grows with the squares of the number of layers and of that
+/// double: the condition of the matrix grows with the squares of the numbers of layers and
 /// of faces across, and in float the residual would be lost before the far end of a drag is
 /// reached. One thread: the same bits on every machine.
 ///
