@@ -98,6 +98,20 @@ TEST(Styling, ChangesNothingInOtherBundlesWhenAVertexMoves) {
   }
 }
 
+TEST(Styling, ChangesNothingInOtherBundlesWhenAFaceOfTheScalpTakesMoreRoots) {
+  HairMesh mesh = bent();
+  StrandGroup group = groupOf(everything());
+  group.perSquareMetre = 250'000;
+  const GrownHair before = growHair(mesh, std::span(&group, 1));
+  mesh.layers[0].positions[0] -= glm::vec3(0.01f, 0, 0.01f);  // of bundle 0 alone
+  const GrownHair after = growHair(mesh, std::span(&group, 1));
+  const std::uint32_t old = before.roots[0].firstRoot[1], now = after.roots[0].firstRoot[1];
+  ASSERT_GT(now, old);
+  ASSERT_EQ(before.strands.strandCount() - old, after.strands.strandCount() - now);
+  for (std::size_t s = 0; s + old < before.strands.strandCount(); ++s)
+    EXPECT_TRUE(sameBits(before.strands.strand(old + s), after.strands.strand(now + s)));
+}
+
 TEST(Styling, TurnsWithTheMesh) {
   const HairMesh mesh = bent();
   const glm::quat turn = glm::angleAxis(2.1f, glm::normalize(glm::vec3(1, 2, -1)));
