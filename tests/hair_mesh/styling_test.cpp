@@ -203,6 +203,18 @@ TEST(Styling, ClumpsAreOfOneBundleAndOfAboutTheirSize) {
       EXPECT_EQ(same->second, hair.roots[0].bundle[s]);
   }
   EXPECT_EQ(tips.size(), 9u * 4u);  // 100 strands each
+  // A strand goes with the nearest of its bundle's first roots.
+  const HairMeshRoots& roots = hair.roots[0];
+  for (std::size_t s = 0; s < 900; ++s) {
+    const std::uint32_t first = roots.firstRoot[roots.bundle[s]];
+    std::uint32_t centre = first;
+    for (std::uint32_t c = first; c < first + 4; ++c)
+      if (glm::distance(roots.positions[c], roots.positions[s]) <
+          glm::distance(roots.positions[centre], roots.positions[s]))
+        centre = c;
+    EXPECT_LT(glm::distance(hair.strands.strand(s).back(), hair.strands.strand(centre).back()),
+              1e-6f);
+  }
 }
 
 TEST(Styling, CurlsAreHelicesAroundTheStrand) {
