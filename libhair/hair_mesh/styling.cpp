@@ -214,6 +214,8 @@ void regrow(const HairMesh& mesh, std::span<const StrandGroup> groups, GrownHair
   for (std::size_t g = 0; g < groups.size(); ++g) {
     traceStrands(mesh, hair.roots[g], groups[g].points, strands);
     style(mesh, hair.roots[g], groups[g].styling, groups[g].seed, strands);
+    require(hair.strands.points.size() + strands.points.size() <= 0xffffffffu, "hair of ",
+            groups.size(), " groups has more points than 32 bits count; grow fewer");
     const auto offset = static_cast<std::uint32_t>(hair.strands.points.size());
     hair.strands.points.insert(hair.strands.points.end(), strands.points.begin(),
                                strands.points.end());

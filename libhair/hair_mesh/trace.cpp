@@ -116,6 +116,8 @@ void traceStrands(const HairMesh& mesh, const HairMeshRoots& roots, std::uint32_
   require(points >= 2, "strands of a hair mesh need at least 2 points, not ", points);
   validate(roots, mesh);
   const std::size_t count = roots.rootCount();
+  require(count * points <= 0xffffffffu, "strands of a hair mesh: ", count, " of ", points,
+          " points are more than 32 bits count; take fewer of either");
   strands.points.resize(count * points);
   strands.first.resize(count + 1);
   for (std::size_t s = 0; s <= count; ++s)

@@ -11,6 +11,7 @@
 #include <libhair/hair_mesh/trace.h>
 #include <libhair/hair_mesh/wisp_curves.h>
 #include <libhair/model/fill_wisps.h>
+#include <libhair/wisps/wisps.h>
 #include <tests/hair_mesh/sample_meshes.h>
 
 namespace hair {
@@ -358,6 +359,22 @@ TEST(WispGroom, DrawsStrandsFromRootsOfTheirOwnAlongTheCurves) {
     EXPECT_EQ(guide[0], curves.positions[w]);
     for (std::size_t k = 2; k < guide.size(); ++k)
       EXPECT_NEAR(glm::distance(guide[k - 1], guide[k]), link, 1e-4f * link);
+  }
+}
+
+TEST(WispGroom, IsDrawnFromItsGuidesAsItIsAtRest) {
+  WispCurveSettings settings;
+  settings.curves.strands = 40;
+  settings.fill.strands = 300;
+  const Groom groom = wispGroom(bent(), settings);
+  const GuideStrands guides(groom, {});
+  Wisps wisps(groom, guides);
+  interpolateWisps(guides, {}, wisps);
+  std::vector<glm::vec3> points(settings.fill.points);
+  for (std::size_t s = 0; s < 300; ++s) {
+    drawAtRest(groom, s, points);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      EXPECT_LT(glm::distance(points[k], wisps.strands().strand(s)[k]), 1e-4f);
   }
 }
 
