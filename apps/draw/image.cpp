@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <numeric>
 
 #include <OpenImageIO/imageio.h>
 
@@ -39,6 +41,19 @@ struct Unfinished {
     if (!file.empty()) fs::remove(file, ignored);
   }
 };
+
+/// A picture of at least so many channels.
+std::unique_ptr<OIIO::ImageInput> openImage(const fs::path& file, int channels) {
+  auto input = OIIO::ImageInput::open(file.string());
+  if (!input) throw Error(text(file.string(), ": ", OIIO::geterror()));
+  const OIIO::ImageSpec& spec = input->spec();
+  require(spec.nchannels >= channels && spec.width > 0 && spec.height > 0 && spec.width <= 65536 &&
+              spec.height <= 65536,
+          file.string(), ": a picture of ", spec.width, " x ", spec.height, " pixels with ",
+          spec.nchannels, " channels; ",
+          channels == 3 ? "red, green and blue are wanted" : "one or more are wanted");
+  return input;
+}
 
 }  // namespace
 
@@ -78,13 +93,8 @@ void writeImage(const Picture& picture, const fs::path& file) {
 }
 
 Picture readImage(const fs::path& file) {
-  auto input = OIIO::ImageInput::open(file.string());
-  if (!input) throw Error(text(file.string(), ": ", OIIO::geterror()));
+  const auto input = openImage(file, 3);
   const OIIO::ImageSpec& spec = input->spec();
-  require(spec.nchannels >= 3 && spec.width > 0 && spec.height > 0 && spec.width <= 65536 &&
-              spec.height <= 65536,
-          file.string(), ": a picture of ", spec.width, " x ", spec.height, " pixels with ",
-          spec.nchannels, " channels; red, green and blue are wanted");
   Picture picture(spec.width, spec.height);
   bool ok = false;
   if (spec.format == OIIO::TypeDesc::UINT8) {
@@ -100,6 +110,21 @@ Picture readImage(const fs::path& file) {
   }
   if (!ok) throw Error(text(file.string(), ": ", input->geterror()));
   return picture;
+}
+
+Mask readMask(const fs::path& file) {
+  const auto input = openImage(file, 1);
+  const OIIO::ImageSpec& spec = input->spec();
+  const int channels = spec.nchannels < 3 ? 1 : 3;
+  Mask mask{spec.width, spec.height, {}};
+  std::vector<float> values(std::size_t(spec.width) * std::size_t(spec.height) *
+                            std::size_t(channels));
+  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data()))
+    throw Error(text(file.string(), ": ", input->geterror()));
+  for (auto value = values.begin(); value != values.end(); value += channels)
+    mask.values.push_back(
+        std::clamp(std::accumulate(value, value + channels, 0.0f) / float(channels), 0.0f, 1.0f));
+  return mask;
 }
 
 Picture downscaled(const Picture& picture, int width, int height) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <vector>
 
 #include <apps/draw/picture.h>
 
@@ -13,6 +14,16 @@ void writeImage(const Picture& picture, const std::filesystem::path& file);
 
 /// Reads any picture that OpenImageIO reads, as 8-bit RGB. Throws Error (file, cause).
 Picture readImage(const std::filesystem::path& file);
+
+/// What a picture says about places: 0 black to 1 white, rows from top to bottom without padding.
+struct Mask {
+  int width = 0, height = 0;
+  std::vector<float> values;  ///< [height·width]
+};
+
+/// Reads any picture that OpenImageIO reads, grey or the mean of red, green and blue, as the file
+/// has them: half-way between black and white is 0.5. Throws Error (file, cause).
+Mask readMask(const std::filesystem::path& file);
 
 /// Smaller by averaging in linear light. Throws Error when either side would grow or vanish.
 Picture downscaled(const Picture& picture, int width, int height);

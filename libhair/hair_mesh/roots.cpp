@@ -137,7 +137,8 @@ void countArrivals(std::uint32_t strands, double mass, std::vector<BundleRoots>&
 
 void queue(const Candidates& candidates, const ScalpDensity& density, std::span<float> weights,
            BundleRoots& bundle) {
-  const std::uint64_t tries = kTriesPerRoot * (std::uint64_t{bundle.count} + 1);
+  const std::uint64_t tries =
+      std::min<std::uint64_t>(kTriesPerRoot * (std::uint64_t{bundle.count} + 1), 0xffffffffu);
   glm::vec3 p;
   for (std::uint32_t i = 0; i < tries && bundle.numbers.size() < bundle.count; ++i) {
     if (!candidates.at(i, weights, p)) continue;

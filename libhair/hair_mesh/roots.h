@@ -54,8 +54,7 @@ struct HairMeshRoots {
 /// i-th root of bundle j comes at time (i + u_j) / m_j, where m_j is area times mean density and
 /// u_j in [0, 1) is drawn for each bundle; the first to come, `strands` in all, are taken. So the
 /// count is exact; roots of a smaller count are among those of a larger one; and a face that grows
-/// takes at most a root or so from the ends of the others' queues, where perSquareMetre leaves them
-/// alone.
+/// takes roots from the ends of the others' queues alone, where perSquareMetre leaves them all.
 ///
 /// The mean density is that of 256 places of a face. Fewer roots than asked come where density is
 /// zero in all of those, or where less than 1/4096 of the box has hair. The same bits for any

@@ -152,12 +152,12 @@ void style(const HairMesh& mesh, const HairMeshRoots& roots, const StylingSettin
   std::vector<std::uint32_t> centres;
   if (clumps || settings.curlRadius > 0) centres = clumpCentres(roots, settings.clumpSize);
   if (clumps) {
-    const StrandSet apart = strands;
     parallelFor(count, 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = begin; r < end; ++r) {
+        if (centres[r] == r) continue;  // centres stay: others read them meanwhile
         const auto strand = strands.strand(r);
         // Strands that a caller brought may differ in their numbers of points.
-        const auto centre = apart.strand(centres[r]);
+        const auto centre = strands.view().strand(centres[r]);
         const float last = static_cast<float>(strand.size() - 1);
         for (std::size_t k = 1; k < strand.size(); ++k) {
           const float u = static_cast<float>(k) / last;
@@ -214,6 +214,8 @@ void regrow(const HairMesh& mesh, std::span<const StrandGroup> groups, GrownHair
   for (std::size_t g = 0; g < groups.size(); ++g) {
     traceStrands(mesh, hair.roots[g], groups[g].points, strands);
     style(mesh, hair.roots[g], groups[g].styling, groups[g].seed, strands);
+    require(hair.strands.points.size() + strands.points.size() <= 0xffffffffu, "hair of ",
+            groups.size(), " groups has more points than 32 bits count; grow fewer");
     const auto offset = static_cast<std::uint32_t>(hair.strands.points.size());
     hair.strands.points.insert(hair.strands.points.end(), strands.points.begin(),
                                strands.points.end());

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include <unistd.h>
 
@@ -54,6 +55,22 @@ TEST_F(Images, ExrIsLinearAndReturnsTheSameColours) {
   const Picture back = readImage(folder / "a.exr");
   ASSERT_EQ(back.rgb.size(), picture.rgb.size());
   for (std::size_t i = 0; i < back.rgb.size(); ++i) EXPECT_NEAR(back.rgb[i], picture.rgb[i], 1);
+}
+
+TEST_F(Images, MasksAreGreyAsTheFileHasThem) {
+  std::ofstream(folder / "grey.pgm", std::ios::binary) << "P5\n3 2\n255\n"
+                                                       << std::string("\0\x33\xff\x66\x99\xcc", 6);
+  const Mask grey = readMask(folder / "grey.pgm");
+  EXPECT_EQ(grey.width, 3);
+  EXPECT_EQ(grey.height, 2);
+  ASSERT_EQ(grey.values.size(), 6u);
+  const float expected[] = {0, 0.2f, 1, 0.4f, 0.6f, 0.8f};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(grey.values[i], expected[i], 1e-6f);
+  writeImage(ramp(5, 4), folder / "colours.png");
+  const Mask mean = readMask(folder / "colours.png");
+  ASSERT_EQ(mean.values.size(), 20u);
+  EXPECT_NEAR(mean.values[5 * 2 + 3], (153 + 127 + 47) / 765.0f, 1e-5f);
+  EXPECT_THROW(readMask(folder / "absent.png"), Error);
 }
 
 TEST_F(Images, NothingIsLeftWhereWritingFails) {

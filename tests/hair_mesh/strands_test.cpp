@@ -102,6 +102,24 @@ TEST(Roots, LeaveNoGapsThatChanceWouldLeave) {
   EXPECT_GT(cells.size(), 700u);
 }
 
+TEST(Roots, StayInTheirFaceWhateverItsSides) {
+  // An L, which is not convex, and a triangle on its last edge.
+  const PolygonMesh scalp = {
+      .positions = {{0, 0, 0}, {0, 0, 2}, {1, 0, 2}, {1, 0, 1}, {2, 0, 1}, {2, 0, 0}, {1, 0, -1}},
+      .firstCorner = {0, 6, 9},
+      .corners = {0, 1, 2, 3, 4, 5, 0, 5, 6}};
+  const auto roots = rootsOf(test::stack(scalp, 1), 4000);
+  EXPECT_NEAR(roots.firstRoot[1], 3000, 1);
+  for (std::size_t r = 0; r < 4000; ++r) {
+    const glm::vec3 p = roots.positions[r];
+    if (roots.bundle[r] == 0)
+      EXPECT_TRUE(p.z > -1e-6f && (p.x < 1 + 1e-6f || p.z < 1 + 1e-6f)) << p.x << " " << p.z;
+    else
+      EXPECT_TRUE(p.z < 1e-6f && p.z > -1 + std::abs(p.x - 1) - 1e-6f) << p.x << " " << p.z;
+    EXPECT_EQ(roots.weightsOf(r).size(), roots.bundle[r] == 0 ? 6u : 3u);
+  }
+}
+
 TEST(Roots, FollowDensity) {
   const HairMesh mesh = test::stack(test::gridScalp(3, 2, 0.02f), 1);
   // Rises within every face from left to right, half as high in the second row; none in the left

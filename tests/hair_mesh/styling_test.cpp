@@ -11,6 +11,7 @@
 #include <libhair/hair_mesh/trace.h>
 #include <libhair/hair_mesh/wisp_curves.h>
 #include <libhair/model/fill_wisps.h>
+#include <libhair/wisps/wisps.h>
 #include <tests/hair_mesh/sample_meshes.h>
 
 namespace hair {
@@ -96,6 +97,20 @@ TEST(Styling, ChangesNothingInOtherBundlesWhenAVertexMoves) {
       ASSERT_EQ(sameBits(before.strands.strand(s), after.strands.strand(s)),
                 before.roots[0].bundle[s] != 0);
   }
+}
+
+TEST(Styling, ChangesNothingInOtherBundlesWhenAFaceOfTheScalpTakesMoreRoots) {
+  HairMesh mesh = bent();
+  StrandGroup group = groupOf(everything());
+  group.perSquareMetre = 250'000;
+  const GrownHair before = growHair(mesh, std::span(&group, 1));
+  mesh.layers[0].positions[0] -= glm::vec3(0.01f, 0, 0.01f);  // of bundle 0 alone
+  const GrownHair after = growHair(mesh, std::span(&group, 1));
+  const std::uint32_t old = before.roots[0].firstRoot[1], now = after.roots[0].firstRoot[1];
+  ASSERT_GT(now, old);
+  ASSERT_EQ(before.strands.strandCount() - old, after.strands.strandCount() - now);
+  for (std::size_t s = 0; s + old < before.strands.strandCount(); ++s)
+    EXPECT_TRUE(sameBits(before.strands.strand(old + s), after.strands.strand(now + s)));
 }
 
 TEST(Styling, TurnsWithTheMesh) {
@@ -189,6 +204,18 @@ TEST(Styling, ClumpsAreOfOneBundleAndOfAboutTheirSize) {
       EXPECT_EQ(same->second, hair.roots[0].bundle[s]);
   }
   EXPECT_EQ(tips.size(), 9u * 4u);  // 100 strands each
+  // A strand goes with the nearest of its bundle's first roots.
+  const HairMeshRoots& roots = hair.roots[0];
+  for (std::size_t s = 0; s < 900; ++s) {
+    const std::uint32_t first = roots.firstRoot[roots.bundle[s]];
+    std::uint32_t centre = first;
+    for (std::uint32_t c = first; c < first + 4; ++c)
+      if (glm::distance(roots.positions[c], roots.positions[s]) <
+          glm::distance(roots.positions[centre], roots.positions[s]))
+        centre = c;
+    EXPECT_LT(glm::distance(hair.strands.strand(s).back(), hair.strands.strand(centre).back()),
+              1e-6f);
+  }
 }
 
 TEST(Styling, CurlsAreHelicesAroundTheStrand) {
@@ -332,6 +359,22 @@ TEST(WispGroom, DrawsStrandsFromRootsOfTheirOwnAlongTheCurves) {
     EXPECT_EQ(guide[0], curves.positions[w]);
     for (std::size_t k = 2; k < guide.size(); ++k)
       EXPECT_NEAR(glm::distance(guide[k - 1], guide[k]), link, 1e-4f * link);
+  }
+}
+
+TEST(WispGroom, IsDrawnFromItsGuidesAsItIsAtRest) {
+  WispCurveSettings settings;
+  settings.curves.strands = 40;
+  settings.fill.strands = 300;
+  const Groom groom = wispGroom(bent(), settings);
+  const GuideStrands guides(groom, {});
+  Wisps wisps(groom, guides);
+  interpolateWisps(guides, {}, wisps);
+  std::vector<glm::vec3> points(settings.fill.points);
+  for (std::size_t s = 0; s < 300; ++s) {
+    drawAtRest(groom, s, points);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      EXPECT_LT(glm::distance(points[k], wisps.strands().strand(s)[k]), 1e-4f);
   }
 }
 
