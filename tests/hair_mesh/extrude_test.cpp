@@ -67,6 +67,24 @@ TEST(FaceExtrude, LeavesASlitWhereAVertexWouldBeInTwoPlaces) {
   EXPECT_EQ(gridVertex(mesh, 1, 1, 1, 1), gridVertex(mesh, 1, 0, 1, 1));
 }
 
+TEST(FaceExtrude, JoinsNewFacesAmongThemselvesFirst) {
+  // Around the middle: 0 and 1 stand in different places; new are 2, beside 0, and 3, beside 1.
+  HairMesh mesh = makeHairMesh(test::gridScalp(2, 2));
+  extrudeFaces(Numbers{0, 1}, 0.03f, mesh);
+  separateEdges(1, std::vector{gridEdge(mesh, 1, 0, 1, 0, 1, 1)}, mesh);
+  mesh.layers[1].positions[gridVertex(mesh, 1, 1, 1, 1)].x += 0.005f;
+  extrudeFaces(Numbers{2, 3}, 0.03f, mesh);
+  EXPECT_EQ(connectedFaces(mesh, 1, 0), (Numbers{0, 2, 3}));
+}
+
+TEST(FaceExtrude, KeepsApartWhatIsPinnedFromWhatIsNot) {
+  HairMesh mesh = makeHairMesh(test::gridScalp(2, 2));
+  extrudeFaces(Numbers{0, 3}, 0.03f, mesh);
+  mesh.layers[1].pinned[gridVertex(mesh, 1, 3, 1, 1)] = 1;
+  extrudeFaces(Numbers{1}, 0.03f, mesh);
+  EXPECT_EQ(connectedFaces(mesh, 1, 1), (Numbers{0, 1}));
+}
+
 TEST(FaceExtrude, AroundACutIsAsIfAllHadBeenThereBefore) {
   HairMesh cutLast = makeHairMesh(test::gridScalp(2, 2)), mesh = cutLast;
   extrudeFaces(all(cutLast), 0.03f, cutLast);
@@ -112,10 +130,10 @@ TEST(FaceExtrude, TakesTipsOfDifferentLayersAlongTheNormalsTheyHave) {
   HairMesh mesh = makeHairMesh(test::gridScalp(2, 1));
   extrudeFaces(Numbers{0}, 0.03f, mesh);
   // Bundle 0's tip in layer 1 is tilted; bundle 1's new face there joins it and does not turn it.
-  mesh.layers[1].positions[gridVertex(mesh, 1, 0, 0, 0)].y += kSize;
-  mesh.layers[1].positions[gridVertex(mesh, 1, 0, 0, 1)].y += kSize;
+  mesh.layers[1].positions[gridVertex(mesh, 1, 0, 0, 0)].y += kSize / 2;
+  mesh.layers[1].positions[gridVertex(mesh, 1, 0, 0, 1)].y += kSize / 2;
   extrudeFaces(Numbers{0, 1}, 0.01f, mesh);
-  const glm::vec3 tilted = 0.01f * glm::normalize(glm::vec3(1, 1, 0));
+  const glm::vec3 tilted = 0.01f * glm::normalize(glm::vec3(1, 2, 0));
   for (std::size_t v = 0; v < 4; ++v) {
     const glm::vec3 step =
         mesh.layers[2].positions[v] - mesh.layers[1].positions[mesh.layers[2].below[v]];

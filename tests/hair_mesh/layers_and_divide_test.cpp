@@ -15,12 +15,16 @@ using test::vertexCounts;
 TEST(LayerInsert, IsHalfWayAndForConnectedFacesOnly) {
   HairMesh mesh = test::stack(test::gridScalp(4, 1), 2, {0, 0.04f, 0});
   separateEdges(1, std::vector{gridEdge(mesh, 1, 1, 2, 0, 2, 1)}, mesh);
+  mesh.layers[2].pinned.assign(mesh.layers[2].vertexCount(), 1);
   insertLayer(2, 1, mesh);
   EXPECT_EQ(mesh.lastLayer, (Numbers{3, 3, 2, 2}));
   EXPECT_EQ(vertexCounts(mesh), (Numbers{10, 12, 12, 6}));
   EXPECT_FLOAT_EQ(mesh.layers[2].positions[mesh.face(2, 0)[0]].y, 0.06f);
   EXPECT_FLOAT_EQ(mesh.layers[2].positions[mesh.face(2, 3)[0]].y, 0.08f);
   EXPECT_FLOAT_EQ(mesh.layers[3].positions[mesh.face(3, 0)[0]].y, 0.08f);
+  EXPECT_EQ(mesh.layers[2].pinned[mesh.face(2, 0)[0]], 0);
+  EXPECT_EQ(mesh.layers[2].pinned[mesh.face(2, 3)[0]], 1);
+  EXPECT_EQ(mesh.layers[3].pinned[mesh.face(3, 0)[0]], 1);
 }
 
 TEST(LayerInsert, BelowAForkIsParted) {
@@ -67,6 +71,13 @@ TEST(FaceDivide, CutsABundleInAllItsLayers) {
   EXPECT_EQ(divide(1, 1),
             "bundle 0: corners 1 and 1 are the same or neighbours, so one part would have no area");
   EXPECT_EQ(divide(0, 4), "bundle 0 has corners 0 to 3, not 4");
+}
+
+TEST(FaceDivide, KeepsTheTipOfTheBundle) {
+  HairMesh mesh = test::stack(test::gridScalp(2, 1), 2);
+  deleteFaces(Numbers{1}, mesh);
+  EXPECT_EQ(divideFace(1, 0, 2, mesh), 2u);
+  EXPECT_EQ(mesh.lastLayer, (Numbers{2, 1, 1}));
 }
 
 TEST(FaceDivide, RefusesACutAlongAnEdgeThatIsThere) {
