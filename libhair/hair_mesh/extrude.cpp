@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <libhair/hair_mesh/edit-inl.h>
 #include <libhair/hair_mesh/operations.h>
@@ -30,45 +32,60 @@ std::vector<glm::vec3> vertexNormals(const HairMesh& mesh, std::size_t k) {
   return normals;
 }
 
+// Corners on both sides of an edge, at both its ends: {start, the neighbour's end}, {end, its
+// start}.
+using EdgeEnds = std::array<std::array<std::uint32_t, 2>, 2>;
+
+EdgeEnds endsOf(const LayerEdge& edge, const CornerTable& table,
+                std::span<const std::uint32_t> vertices) {
+  return {{{vertices[edge.corner], vertices[table.next[edge.other]]},
+           {vertices[table.next[edge.corner]], vertices[edge.other]}}};
+}
+
 // Which vertices of the layer above the tips become one. They are numbered as there; those from
 // `standing` on are new, one for each corner extruded.
 class TipVertices {
  public:
-  // standingFans: [standing], equal where faces hang together below, edge by edge.
-  TipVertices(const HairMesh::Layer& layer, std::vector<std::uint32_t> standingFans)
-      : layer_(layer), sets_(layer.vertexCount()), standing_(standingFans.size()) {
-    for (const std::uint32_t fan : standingFans) fans_.push_back({fan});
-  }
+  // `parted`: edges below whose faces both stand in the layer, and are not joined there.
+  TipVertices(const HairMesh::Layer& layer, std::size_t standing, std::vector<EdgeEnds> parted)
+      : layer_(layer),
+        sets_(layer.vertexCount()),
+        standing_(standing),
+        parted_(std::move(parted)) {}
 
-  void join(std::uint32_t x, std::uint32_t y) {
-    x = sets_.find(x);
-    y = sets_.find(y);
-    if (x == y) return;
-    sets_.join(x, y);
-    if (std::max(x, y) < standing_)
-      fans_[std::min(x, y)].insert(fans_[std::min(x, y)].end(), fans_[std::max(x, y)].begin(),
-                                   fans_[std::max(x, y)].end());
+  // Joins both sides of an edge, if no vertex has to be in two places for it and no other edge
+  // closes that faces were separated along.
+  void tryToJoin(const EdgeEnds& ends) {
+    bool stoodApart = false;
+    for (const auto& [x, y] : ends) {
+      const std::uint32_t a = sets_.find(x), b = sets_.find(y);
+      if (a == b || a >= standing_ || b >= standing_) continue;
+      if (layer_.positions[a] != layer_.positions[b] || layer_.pinned[a] != layer_.pinned[b])
+        return;
+      stoodApart = true;
+    }
+    if (stoodApart && closesAnother(ends)) return;
+    for (const auto& [x, y] : ends) sets_.join(x, y);
   }
-
-  // Two that stood apart join where they coincide, unless they were separated: then faces beside
-  // each other below stand on both.
-  bool mayJoin(std::uint32_t x, std::uint32_t y) {
-    x = sets_.find(x);
-    y = sets_.find(y);
-    if (x == y || x >= standing_ || y >= standing_) return true;
-    const bool separated = std::find_first_of(fans_[x].begin(), fans_[x].end(), fans_[y].begin(),
-                                              fans_[y].end()) != fans_[x].end();
-    return !separated && layer_.positions[x] == layer_.positions[y] &&
-           layer_.pinned[x] == layer_.pinned[y];
-  }
-
   std::uint32_t find(std::uint32_t x) { return sets_.find(x); }
 
  private:
+  bool closesAnother(const EdgeEnds& ends) {
+    const auto one = [&](const std::array<std::uint32_t, 2>& pair) {
+      const auto named = [&](const auto& p) {
+        return std::minmax({sets_.find(p[0]), sets_.find(p[1])});
+      };
+      const auto [a, b] = named(pair);
+      return a == b || named(ends[0]) == std::pair(a, b) || named(ends[1]) == std::pair(a, b);
+    };
+    return std::any_of(parted_.begin(), parted_.end(),
+                       [&](const EdgeEnds& edge) { return one(edge[0]) && one(edge[1]); });
+  }
+
   const HairMesh::Layer& layer_;
   JoinedSets sets_;
   std::size_t standing_;
-  std::vector<std::vector<std::uint32_t>> fans_;  // of a set, by its name
+  std::vector<EdgeEnds> parted_;
 };
 
 // Extrudes the faces of layer k, all of them tips.
@@ -79,15 +96,21 @@ void extrudeLayer(std::size_t k, std::span<const std::uint32_t> bundles, float d
   HairMesh::Layer& next = mesh.layers[k + 1];
   const CornerTable table(mesh);
 
-  // Faces that stand in the next layer already, and how they hang together in this one.
-  std::vector<std::uint32_t> beside(tip.corners);
-  for (std::size_t c = 0; c < beside.size(); ++c)
-    if (next.corners[c] == kNoVertex) beside[c] = kNoVertex;
-  const auto fans = fansOf(table, edgesOf(table, beside), beside);
+  // Edges of the tips that both faces go on from, now and then; parted ones are to stay so.
+  std::vector<LayerEdge> edges = edgesOf(table, tip.corners);
+  std::erase_if(edges, [](const LayerEdge& edge) { return !edge.isInner(); });
+  std::sort(edges.begin(), edges.end(),
+            [](const LayerEdge& x, const LayerEdge& y) { return x.corner < y.corner; });
+  const auto goesOn = [&](const LayerEdge& edge) {
+    return next.corners[edge.corner] != kNoVertex && next.corners[edge.other] != kNoVertex;
+  };
+  std::vector<EdgeEnds> parted;
+  for (const LayerEdge& edge : edges) {
+    if (!goesOn(edge)) continue;
+    const EdgeEnds ends = endsOf(edge, table, next.corners);
+    if (ends[0][0] != ends[0][1] || ends[1][0] != ends[1][1]) parted.push_back(ends);
+  }
   const std::size_t standing = next.vertexCount();
-  std::vector<std::uint32_t> standingFans(standing);
-  for (std::size_t c = 0; c < fans.size(); ++c)
-    if (fans[c] != kNoVertex) standingFans[next.corners[c]] = fans[c];
 
   const std::vector<glm::vec3> normals = vertexNormals(mesh, k);
   for (const std::uint32_t j : bundles) {
@@ -104,23 +127,13 @@ void extrudeLayer(std::size_t k, std::span<const std::uint32_t> bundles, float d
   }
 
   // New faces join among themselves first, then those that stood there, in the order of corners.
-  TipVertices vertices(next, std::move(standingFans));
-  std::vector<LayerEdge> edges = edgesOf(table, tip.corners);
-  std::erase_if(edges, [&](const LayerEdge& edge) {
-    return !edge.isInner() || next.corners[edge.corner] == kNoVertex ||
-           next.corners[edge.other] == kNoVertex;
-  });
-  std::sort(edges.begin(), edges.end(),
-            [](const LayerEdge& x, const LayerEdge& y) { return x.corner < y.corner; });
-  for (const int newOnes : {2, 1})
-    for (const LayerEdge& edge : edges) {
-      const std::uint32_t a = next.corners[edge.corner], b = next.corners[table.next[edge.corner]];
-      const std::uint32_t c = next.corners[edge.other], d = next.corners[table.next[edge.other]];
-      if ((a >= standing) + (c >= standing) != newOnes) continue;
-      if (!vertices.mayJoin(a, d) || !vertices.mayJoin(b, c)) continue;
-      vertices.join(a, d);
-      vertices.join(b, c);
-    }
+  TipVertices vertices(next, standing, std::move(parted));
+  for (const int newFaces : {2, 1})
+    for (const LayerEdge& edge : edges)
+      if (goesOn(edge) &&
+          (next.corners[edge.corner] >= standing) + (next.corners[edge.other] >= standing) ==
+              newFaces)
+        vertices.tryToJoin(endsOf(edge, table, next.corners));
   for (std::uint32_t& v : next.corners)
     if (v != kNoVertex) v = vertices.find(v);
   rejoinFrom(k + 1, mesh);

@@ -24,8 +24,8 @@ struct HairMeshEdge {
 /// not matter). A new face is joined with each neighbour across an edge of that layer that has a
 /// face in the next one: first new ones with each other, then, by number of corner, with those that
 /// stood there, which stay in place. Where a vertex would so have to be in two places, a slit stays
-/// along the edge; where two vertices that stood apart coincide, they become one, unless faces
-/// beside each other were separated there.
+/// along the edge; where two vertices that stood apart coincide, pins included, they become one,
+/// unless that would close an edge along which faces were separated.
 void extrudeFaces(std::span<const std::uint32_t> bundles, float distance, HairMesh& mesh);
 
 /// Face Delete: removes the tip face of each bundle; of a bundle without length the scalp's face
