@@ -77,7 +77,7 @@ glm::vec3 curl(const StyleSettings& settings, std::uint32_t lock, std::uint32_t 
 
 }  // namespace
 
-void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
+void fillWisps(const StyleSettings& settings, const MeshSdf* headSdf, std::uint32_t guidesPerWisp,
                std::span<const glm::vec3> roots, std::span<const std::uint32_t> wisps,
                Groom& groom) {
   const std::size_t strands = roots.size(), n = settings.points;
@@ -101,7 +101,8 @@ void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
   parallelFor(strands, 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       const auto strand = static_cast<std::uint32_t>(s);
-      glm::uvec3 parents = glm::uvec3(0, 1, 2) + 3 * wisps[s];
+      glm::uvec3 parents =
+          guidesPerWisp == 3 ? glm::uvec3(0, 1, 2) + 3 * wisps[s] : glm::uvec3(wisps[s]);
       glm::vec3 w = wispWeights(roots[s], {groom.guide(parents.x)[0], groom.guide(parents.y)[0],
                                            groom.guide(parents.z)[0]});
       // The main guide is the one of most weight.
@@ -127,10 +128,10 @@ void fillWisps(const StyleSettings& settings, const MeshSdf& headSdf,
         if (settings.curlRadius > 0)
           local += curl(settings, parents.x, strand, u * guideLength[parents.x]);
         glm::vec3 p = glm::mix(base, main[k], clump) + frame * local;
-        if (k > 0) {
+        if (k > 0 && headSdf) {
           const float along = u * guideLength[parents.x];
           p = outOfFace(p);
-          const glm::vec4 d = headSdf.distanceAndGradient(p);
+          const glm::vec4 d = headSdf->distanceAndGradient(p);
           const float clearance = std::min(0.0015f, 0.3f * along);
           if (d.w < clearance) p += (clearance - d.w) * glm::vec3(d);
         }

@@ -94,7 +94,7 @@ Groom makeGroom(const StyleSettings& settings, const MeshSdf& headSdf) {
     }
   });
 
-  fillWisps(settings, headSdf, roots, cells.wisp, groom);
+  fillWisps(settings, &headSdf, 3, roots, cells.wisp, groom);
   groom.fibre.hairsPerStrand =
       std::max(1.0f, settings.hairs / static_cast<float>(settings.strands));
   return groom;

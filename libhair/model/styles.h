@@ -33,7 +33,7 @@ struct StyleSettings {
   float lengthVariation = 0.04f;  ///< share of the length, from wisp to wisp
 
   // How it lies.
-  Parting parting;
+  Parting parting = {};
   float partingJitter = 0;    ///< how far from it wisps still fall to either side
   float partAtShoulders = 1;  ///< 0: hair lies on them, 1: it falls before or behind them
   float volume = 0.016f;      ///< how far the uppermost hair lies from the head
