@@ -206,6 +206,8 @@ ScriptStep readGroup(ScriptWords& words) {
       {{"strands", [&] { group.strands = words.whole("strands", 1, 10'000'000); }},
        {"points", [&] { group.points = words.whole("points", 2, 4096); }},
        {"seed", [&] { group.seed = words.whole("seed", 0, 0xfffffffe); }},
+       {"per-square-metre",
+        [&] { group.perSquareMetre = words.number("per-square-metre", 0, 1e7f); }},
        {"length-cut", [&] { share("length-cut", s.lengthCut, kBelowOne); }},
        {"length-variation", [&] { share("length-variation", s.lengthVariation, kBelowOne); }},
        {"clump", [&] { share("clump", s.clump); }},
