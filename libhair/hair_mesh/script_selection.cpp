@@ -52,6 +52,7 @@ ScriptStep readHeadScalp(ScriptWords& words) {
     setScalp(w, headScalp(patch, parting));
     setRings(w, patch);
     w.parting = parting;
+    w.whorl = w.mesh().layers[0].positions[w.mesh().face(0, 0)[0]];
     w.onHead = true;
     w.obstacle = headField;
   };

@@ -118,7 +118,7 @@ std::vector<std::string> scriptSeeds() {
   return {
       sampleHairMeshScript(),
       start +
-          "extrude all 0.02 towards 0 0 1 0.5 times 3\nselect b bundles 3..5 where ring = 1 and "
+          "extrude all 0.02 towards 0 0 1 0.5 times 3\nselect b bundles 3..7 where ring = 1 and "
           "sector >= 0 and angle < 180 and tip-y > -1 and length < 1 and layers = 3 and sides > 3\n"
           "insert 2 a\nremove 3 all\nseparate a from b at 2\nweld a with b at 2\nseparate "
           "parting\nweld parting\nseparate-vertices b at 2\ndelete a times 2\n",
@@ -131,7 +131,7 @@ std::vector<std::string> scriptSeeds() {
           "drape all 3 length 0.1 lift 0.5 stiffness 0.1 clearance 0 volume 0\nsweep a 3 scale 0.5 "
           "twist 90 through 0 0 1 0 0 2\ncoil a 4 about 0 0 3 axis 0 1 0 turns 0.5 radius 0.1 rise "
           "0.1 scale 1 twist 0\n",
-      "scalp sphere 0.1 1 4\nextrude all 0.1\nsubdivide loop flat\nseparate-edge 1 0 1\n",
+      "scalp sphere 0.1 1 4\nextrude all 0.1\nseparate-edge 1 0 1\nsubdivide loop flat\n",
       "scalp sphere 0.1 1 4\nextrude all 0.1\nsubdivide catmull-clark\ndivide-face 0 0 2\n"
       "divide-edge 1 0\n",
       "scalp head 1 4 parting 0.01 whorl -0.02\npull all 2 to 0 0.2 -0.15 axis 0 0 -1 radius 0.02 "

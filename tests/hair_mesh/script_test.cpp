@@ -31,7 +31,7 @@ TEST(Script, EveryOperationChangesTheMeshAndLeavesItValid) {
            "separate front",
            "separate front from back at 2",
            "separate parting",
-           "separate-vertices all at 2",
+           "separate-vertices front at 2",
            "divide-face 7 0 2",
            "divide-edge 7 1",
            "subdivide catmull-clark",
@@ -254,7 +254,7 @@ TEST(Script, LimitsAreNamed) {
             std::string::npos);
   EXPECT_NE(error("subdivide catmull-clark\n", {.corners = 500}).find("at most 500"),
             std::string::npos);
-  EXPECT_NE(error("extrude all 0.01\nplace\n", {.work = 300}).find("too much work"),
+  EXPECT_NE(error("smooth all 0.1 times 9\n", {.work = 1500}).find("too much work"),
             std::string::npos);
   EXPECT_NE(error("drape all 1000\n", {.corners = 500}).find("at most 500"), std::string::npos);
   EXPECT_NE(error("sweep all 1000 through 1 1 1\n", {.corners = 500}).find("at most 500"),
