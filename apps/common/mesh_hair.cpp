@@ -26,7 +26,7 @@ void askFor(std::uint32_t strands, std::vector<StrandGroup>& groups) {
 
 Hairstyle styleOf(const SubjectOptions& options) {
   if (isHairMeshScript(options.hair))
-    return hair::apply(readHairMeshScript(options.hair), filesBeside(options.hair));
+    return applyScript(readHairMeshScript(options.hair), filesBeside(options.hair));
   return {readHairMesh(options.hair), {}};
 }
 
