@@ -96,7 +96,7 @@ void extrudeLayer(std::size_t k, std::span<const std::uint32_t> bundles, float d
   HairMesh::Layer& next = mesh.layers[k + 1];
   const CornerTable table(mesh);
 
-  // Edges of the tips that both faces go on from, now and then; parted ones are to stay so.
+  // Edges inside the layer of the tips, and which of them are parted in the next one already.
   std::vector<LayerEdge> edges = edgesOf(table, tip.corners);
   std::erase_if(edges, [](const LayerEdge& edge) { return !edge.isInner(); });
   std::sort(edges.begin(), edges.end(),
@@ -139,14 +139,10 @@ void extrudeLayer(std::size_t k, std::span<const std::uint32_t> bundles, float d
   rejoinFrom(k + 1, mesh);
 }
 
-template <class Entry>
-void eraseCorners(std::vector<Entry>& array, std::uint32_t begin, std::uint32_t end) {
-  array.erase(array.begin() + begin, array.begin() + end);
-}
-
 void eraseBundle(std::uint32_t j, HairMesh& mesh) {
   const std::uint32_t begin = mesh.firstCorner[j], end = mesh.firstCorner[j + 1];
-  for (HairMesh::Layer& layer : mesh.layers) eraseCorners(layer.corners, begin, end);
+  for (HairMesh::Layer& layer : mesh.layers)
+    layer.corners.erase(layer.corners.begin() + begin, layer.corners.begin() + end);
   mesh.firstCorner.erase(mesh.firstCorner.begin() + j);
   for (std::size_t i = j; i < mesh.firstCorner.size(); ++i) mesh.firstCorner[i] -= end - begin;
   mesh.lastLayer.erase(mesh.lastLayer.begin() + j);
