@@ -4,6 +4,8 @@
 
 #include <tests/files/samples.h>
 
+#include "small_hair.h"
+
 namespace hair {
 
 namespace {
@@ -163,6 +165,7 @@ std::vector<FuzzSeeds> fuzzSeeds() {
           {"bvh", {sampleBvh(), person(false, false)}},
           {"clip", {person(false, false), person(true, true), sampleBvh()}},
           {"obj", objSeeds()},
+          {"state", sampleStates()},
           {"options", optionSeeds()}};
 }
 
