@@ -14,8 +14,8 @@ struct HeadMotion {
   HeadMotion(const RigidTransform& from, const RigidTransform& to, float seconds)
       : drift((to.translation - from.translation) / seconds) {
     const glm::quat turn = to.rotation * glm::conjugate(from.rotation);
-    const glm::vec3 axis = turn.w < 0 ? -glm::vec3(turn.x, turn.y, turn.z)
-                                      : glm::vec3(turn.x, turn.y, turn.z);
+    const glm::vec3 axis =
+        turn.w < 0 ? -glm::vec3(turn.x, turn.y, turn.z) : glm::vec3(turn.x, turn.y, turn.z);
     const float sine = glm::length(axis);
     const float angle = 2 * std::atan2(sine, std::abs(turn.w));
     spin = angle / (seconds * std::max(sine, 1e-12f)) * axis;
@@ -29,8 +29,7 @@ float pullOf(const GuideMotion& motion, const GuideSettings& settings, const Hea
   // Gusts double the wind.
   const float speed =
       2 * glm::length(motion.wind.velocity) + glm::length(head.drift) + spin * reach;
-  const float most =
-      glm::length(settings.gravity) + settings.airDrag * speed + spin * spin * reach;
+  const float most = glm::length(settings.gravity) + settings.airDrag * speed + spin * spin * reach;
   return std::max(1.0f, most / std::max(guides.restGravity(), 1e-3f));
 }
 
@@ -41,8 +40,7 @@ float longestForRoots(const HeadMotion& head, const GuideStrands& guides) {
   float change = 0;
   for (std::size_t g = 0; g < guides.guideCount(); ++g) {
     const std::size_t group = g / kLanes, l = g % kLanes;
-    const glm::vec3 arm =
-        guides.worldFromHead.vector(lane(guides.restPosition[group * n], l));
+    const glm::vec3 arm = guides.worldFromHead.vector(lane(guides.restPosition[group * n], l));
     const glm::vec3 velocity = head.drift + glm::cross(head.spin, arm);
     change = std::max(change, glm::distance(velocity, lane(guides.velocity[group * n], l)));
   }

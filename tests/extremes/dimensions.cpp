@@ -211,7 +211,6 @@ Setup setupOf(const std::vector<std::size_t>& values) {
   Setup setup;
   for (std::size_t d = 0; d < count; ++d) {
     dimensions()[d].values[values[d]].apply(setup);
-    setup.ordinary &= values[d] == 0 || !dimensions()[d].movesGuides;
     setup.refused |= dimensions()[d].refuses(values[d]);
   }
   if (values[count] > 0) {

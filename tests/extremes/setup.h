@@ -41,7 +41,6 @@ struct Setup {
   FrameSettings settings;
   const char* badField = nullptr;  ///< of badInputs()
   float badValue = 0;
-  bool ordinary = true;  ///< in all that moves guides
   bool refused = false;  ///< must be, whatever the rest is
 };
 
