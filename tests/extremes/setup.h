@@ -52,7 +52,6 @@ struct Value {
 struct Dimension {
   const char* name;
   std::vector<Value> values;
-  bool movesGuides = true;  ///< else only what is drawn of them
   std::size_t refused = 0;  ///< so many of the last values are refused, whatever the others are
 
   bool refuses(std::size_t value) const { return value + refused >= values.size(); }
