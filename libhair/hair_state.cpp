@@ -1,6 +1,7 @@
 #include <libhair/hair_state.h>
 
 #include <array>
+#include <cmath>
 #include <istream>
 #include <ostream>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/files/byte_reader.h>
+#include <libhair/guides/validate.h>
 
 namespace hair {
 
@@ -113,13 +115,14 @@ void check(const Header& header, const Hair& hair) {
           kName,
           ": of another groom, or of guide settings that shape another rest; load it into "
           "the hair that it was saved of");
-  require((header.felt == 0 || header.felt == own.points) && header.turn <= 1 &&
-              header.waiting >= 0 && header.waiting <= 1 && header.capsules <= kMaxCapsules &&
-              header.planes <= kMaxPlanes && header.meshes <= kMaxMeshes &&
+  require(std::isfinite(header.time) && (header.felt == 0 || header.felt == own.points) &&
+              header.turn <= 1 && header.waiting >= 0 && header.waiting <= 1 &&
+              header.capsules <= kMaxCapsules && header.planes <= kMaxPlanes &&
+              header.meshes <= kMaxMeshes &&
               (header.sheltered == 0 || header.sheltered == own.points),
-          kName, ": ", header.felt, " pushes, ", header.sheltered, " shares of wind, turn ",
-          header.turn, ", ", header.capsules, " capsules, ", header.planes, " planes and ",
-          header.meshes, " meshes cannot be (damaged)");
+          kName, ": ", header.time, " s, ", header.felt, " pushes, ", header.sheltered,
+          " shares of wind, turn ", header.turn, ", ", header.capsules, " capsules, ",
+          header.planes, " planes and ", header.meshes, " meshes cannot be (damaged)");
 }
 
 std::size_t bodySize(const Header& h, std::size_t links) {
@@ -129,6 +132,27 @@ std::size_t bodySize(const Header& h, std::size_t links) {
          std::size_t{h.felt} * (sizeof(Lanes) + sizeof(LaneVec3)) +
          std::size_t{h.drawn} * sizeof(glm::vec3) +
          std::size_t{h.strands} * (sizeof(glm::vec3) + sizeof(float));
+}
+
+// Of finite numbers: those that no frame leaves behind, and that the next could only turn into
+// none. A frame moves hair by no more than the world's width, 2e8 m in a microsecond; offsets and
+// weights draw it no farther than 1e10 m from its guides.
+template <class T>
+void requireWithin(const std::vector<T>& values, float least, float most, const char* what) {
+  const auto* numbers = reinterpret_cast<const float*>(values.data());
+  for (std::size_t i = 0; i < values.size() * (sizeof(T) / sizeof(float)); ++i)
+    require(numbers[i] >= least && numbers[i] <= most, kName, ": ", what, ' ', numbers[i],
+            " is not in ", least, " to ", most, " (damaged)");
+}
+
+// As the doors of a frame have it, which name what they refuse.
+template <class... Parts>
+void requireGood(const Parts&... parts) {
+  try {
+    (validate(parts), ...);
+  } catch (const Error& e) {
+    throw Error(text(kName, ": ", e.what(), " (damaged)"));
+  }
 }
 
 }  // namespace
@@ -211,9 +235,22 @@ void restoreState(std::istream& in, Hair& hair) {
   for (std::size_t m = 0; m < meshes.size(); ++m)
     meshes[m] = {meshes[m].sdf, transformOf(placements[m].pose), placements[m].scale};
 
-  // From here on nothing throws.
-  hair.worldFromHead = transformOf(poses[0]);
+  constexpr float kFarthest = 1e10f, kFastest = 1e15f;
+  requireWithin(guides.position, -kFarthest, kFarthest, "guide position");
+  requireWithin(guides.velocity, -kFastest, kFastest, "guide velocity");
+  requireWithin(allowed, 0, INFINITY, "allowed density");
+  requireWithin(push, -1e6f, 1e6f, "push");
+  requireWithin(windShare, 0, 1, "share of the wind");
+  requireWithin(points, -kFarthest, kFarthest, "drawn point");
+  requireWithin(rootOffsets, -kFarthest, kFarthest, "root offset");
+  requireWithin(clearance, -kFarthest, kFarthest, "clearance");
+  const RigidTransform worldFromHead = transformOf(poses[0]);
   guides.worldFromHead = transformOf(poses[1]);
+  requireGood(worldFromHead, guides.worldFromHead, std::span<const Capsule>(capsules),
+              Scenery{planes, meshes});
+
+  // From here on nothing throws.
+  hair.worldFromHead = worldFromHead;
   hair.guides = std::move(guides);
   hair.capsules = std::move(capsules);
   hair.planes = std::move(planes);

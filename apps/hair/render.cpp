@@ -29,6 +29,8 @@ void runRender(const RenderOptions& options) {
   staging.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
   staging.scene.sideBySide = options.sideBySide;
   staging.shown = options.shown;
+  // Through hair everything is seen; a surface hides what is behind it.
+  staging.scene.debug.onTop = !options.shown.meshSurface;
   renderer.draw(staging.update(renderer), options.width, options.height);
   draw::writeImage(renderer.read(), options.out);
 }

@@ -89,6 +89,7 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
     }
     reach_ = std::max(reach_, glm::length(points[0]) + length);
     longestSubstep_ = std::min(longestSubstep_, rest.longestSubstep);
+    longestUnderTension_ = std::min(longestUnderTension_, rest.longestUnderTension);
     const auto [least, most] =
         std::minmax_element(rest.linkLength.begin(), rest.linkLength.begin() + links);
     if (*most > kEven * *least) uneven[group] = 1;
@@ -96,14 +97,18 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
   reset(worldFromHead_);
 }
 
-float GuideStrands::longestSubstep(const RigidTransform& at) const {
+float GuideStrands::longestSubstep(const RigidTransform& at, float weight) const {
   const glm::vec3 near = glm::abs(at.translation - stepOrigin(at));
   const float spacing = floatSpacing(std::max({near.x, near.y, near.z}) + reach_);
   const float h = std::sqrt(4 * leastBorne_ / spacing);
   require(h >= kShortestSubstep, "groom: guide ", weakestGuide_, " link ", weakestLink_,
           " is too short for what it carries: it would take substeps of ", h, " s, below ",
           kShortestSubstep, "; take longer or more even links");
-  return std::min(h, longestSubstep_);
+  // In which gravity moves a point by 25 spacings.
+  const float floor = std::max(1.0f / 6000, std::sqrt(25 * spacing / 9.81f));
+  const float taut =
+      std::max(std::max(longestUnderTension_, floor) / std::sqrt(weight), kShortestSubstep);
+  return std::min({h, longestSubstep_, taut});
 }
 
 void GuideStrands::reset(const RigidTransform& to) {

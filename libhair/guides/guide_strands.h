@@ -60,7 +60,12 @@ class GuideStrands {
   /// which must be no more than a few times l for the link to find back. Measured: up to 4 times it
   /// does; at 20 a strand shakes. Throws Error, that names the link, where that takes less than
   /// 1/20000 s.
-  float longestSubstep(const RigidTransform& worldFromHead) const;
+  ///
+  /// Strands of uneven links take substeps for what pulls on them, too: `weight` times that of the
+  /// hair at rest, >= 1. But where it is 1 none below 1/6000 s, or in which gravity moves a point
+  /// by less than 25 times the spacing of floats: half of a spacing is lost, and hair would stick
+  /// where a fiftieth of gravity no longer moves it.
+  float longestSubstep(const RigidTransform& worldFromHead, float weight = 1) const;
 
   /// Back to the groom at rest on a head at `worldFromHead`, without speed. Throws Error for one
   /// that is not finite or too far from the origin (validate.h).
@@ -97,7 +102,8 @@ class GuideStrands {
  private:
   std::size_t guideCount_;
   std::uint32_t points_;
-  float shortestLink_ = INFINITY, reach_ = 0, longestSubstep_ = INFINITY;
+  float shortestLink_ = INFINITY, reach_ = 0, longestSubstep_ = INFINITY,
+        longestUnderTension_ = INFINITY;
   float restGravity_;
   float leastBorne_ = INFINITY;  ///< of RestShape::borne
   std::size_t weakestGuide_ = 0, weakestLink_ = 0;

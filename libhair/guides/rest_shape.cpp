@@ -88,7 +88,7 @@ void holdAgainstGravity(std::span<const glm::vec3> points, glm::vec3 rootNormal,
 // Tension T is stable in explicit steps of h² <= m l / T, with the lateral stiffness 4 T / l of a
 // chain. The bending system holds the rest tension of short links whatever h is (BendingFactors),
 // but nothing holds what is more, or what pushes where gravity has turned: strands of uneven links
-// take steps in which that is a tenth. Below 1/6000 s floats could not tell a slow swing.
+// take steps in which that is a tenth.
 float longestUnderTension(const RestShape& rest, std::size_t links) {
   const auto [least, most] =
       std::minmax_element(rest.linkLength.begin(), rest.linkLength.begin() + links);
@@ -97,7 +97,7 @@ float longestUnderTension(const RestShape& rest, std::size_t links) {
   for (std::size_t i = 0; i < links; ++i)
     h2 = std::min(h2, 0.1f * rest.mass[i + 1] * rest.linkLength[i] /
                           std::max(std::abs(rest.tension[i]), 1e-20f));
-  return std::max(std::sqrt(h2), 1.0f / 6000);
+  return std::sqrt(h2);
 }
 
 // A bending system has entries m / h² of mass and kappa / l² of stiffness, and loses digits of what
@@ -123,7 +123,7 @@ float longestSubstep(const RestShape& rest, std::size_t links, std::size_t guide
             kShortestSubstep, "; take longer or more even links, or less bendingStiffness");
     longest = std::min(longest, h);
   }
-  return std::min(longest, longestUnderTension(rest, links));
+  return longest;
 }
 
 }  // namespace
@@ -150,6 +150,7 @@ RestShape makeRestShape(std::span<const glm::vec3> points, glm::vec3 rootNormal,
   }
   holdAgainstGravity(points, rootNormal, settings.gravity, rest);
   rest.longestSubstep = longestSubstep(rest, links, guide);
+  rest.longestUnderTension = longestUnderTension(rest, links);
   return rest;
 }
 

@@ -26,6 +26,9 @@ struct RestShape {
   std::array<float, kMaxGuidePoints> linkLength{}, stiffness{}, mass{}, tension{};
   std::array<glm::vec3, kMaxGuidePoints> curvature{};  ///< c_i, (normal, binormal, tangent)
   float longestSubstep = 0;  ///< seconds, in which floats still solve its bending
+  /// Seconds, in which what its own weight pulls is a tenth of what explicit steps bear; infinite
+  /// where links are even.
+  float longestUnderTension = 0;
   /// Of each link m l³ / g, s² m, with m the lighter of its ends and g the torque that it carries
   /// at rest: what GuideStrands::longestSubstep goes by.
   std::array<float, kMaxGuidePoints> borne{};

@@ -316,6 +316,7 @@ HWY_AFTER_NAMESPACE();
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/guides/substeps.h>
 #include <libhair/guides/validate.h>
 
 namespace hair {
@@ -394,7 +395,7 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
   require(capsules == motion.capsulesBefore.size() && capsules <= kMaxCapsules,
           "stepGuides: ", motion.capsulesBefore.size(), " capsules before and ", capsules,
           " after; they must be as many, at most ", kMaxCapsules);
-  const float longest = std::min(settings.substep, guides.longestSubstep(motion.worldFromHead));
+  const float longest = longestSubstep(motion, settings, seconds, guides);
   const auto substeps =
       std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(seconds / longest - 1e-3f)));
   const float h = seconds / static_cast<float>(substeps);

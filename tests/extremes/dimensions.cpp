@@ -23,7 +23,6 @@ std::vector<Dimension> listed() {
         {"1 km", [](S& s) { s.place = {600, 0, -800}; }},
         {"10 km", [](S& s) { s.place = {6e3f, 1, 8e3f}; }},
         {"1e7 m", [](S& s) { s.place = {1e7f, 0, 0}; }}},
-       true,
        1},
       {"frame",
        {{"1/60 s", [](S&) {}},
@@ -80,7 +79,6 @@ std::vector<Dimension> listed() {
         {"0", [](S& s) { s.links = 0; }},
         {"64", [](S& s) { s.links = 64; }},
         {"1000", [](S& s) { s.links = 1000; }}},
-       true,
        3},
       {"strands",
        {{"17", [](S&) {}},
@@ -141,8 +139,7 @@ std::vector<Dimension> listed() {
          [](S& s) {
            s.settings.map.filter = Filter::Footprint;
            s.settings.map.footprint = 10 * s.settings.map.cellSize;
-         }}},
-       false},
+         }}}},
       {"light",
        {{"from above", [](S&) {}},
         {"none", [](S& s) { s.settings.lights.clear(); }},
@@ -154,15 +151,12 @@ std::vector<Dimension> listed() {
            lampAt(s, {1, 1, 1});
            s.settings.lights.push_back(Light::parallel({1e-10f, 0, 0}, glm::vec3(1e6f)));
            s.settings.lights.push_back(Light{});
-         }}},
-       false},
+         }}}},
       {"wind",
        {{"still", [](S&) {}},
         {"10 m/s", [](S& s) { s.settings.wind.velocity = {8, 0, 6}; }},
         {"190 m/s, gusts of 1 mm", [](S& s) { s.settings.wind = {{-190, 0, 0}, 1, 1e-3f}; }}}},
-      {"body's shadow",
-       {{"off", [](S&) {}}, {"on", [](S& s) { s.settings.bodyShadow = true; }}},
-       false},
+      {"body's shadow", {{"off", [](S&) {}}, {"on", [](S& s) { s.settings.bodyShadow = true; }}}},
   };
 }
 
@@ -211,7 +205,6 @@ Setup setupOf(const std::vector<std::size_t>& values) {
   Setup setup;
   for (std::size_t d = 0; d < count; ++d) {
     dimensions()[d].values[values[d]].apply(setup);
-    setup.ordinary &= values[d] == 0 || !dimensions()[d].movesGuides;
     setup.refused |= dimensions()[d].refuses(values[d]);
   }
   if (values[count] > 0) {

@@ -14,14 +14,14 @@ namespace hair::extremes {
 
 namespace {
 
-constexpr float kStretchPromised = 1e-3f, kStretchAtExtremes = 1e-2f;
-constexpr double kRecovered = 1e-2;      // of a strand's length
-constexpr double kGrowth = 0.15;         // of a fall by a strand's length
-constexpr double kGrowthBeside = 0.5;    // the same beside colliders, which put hair out of them
-constexpr double kRounds = 3;            // so often a substep looks for colliders again
-constexpr int kHalfSecond = 30;          // calm frames
-constexpr double kLongestRecovery = 10;  // seconds that are waited for
-constexpr double kSubstep = 1.0 / 480;   // of calm frames, seconds
+constexpr float kStretchPromised = 1e-3f;  // beside rounding
+constexpr double kRecovered = 1e-2;        // of a strand's length
+constexpr double kGrowth = 0.05;           // of a fall by a strand's length
+constexpr double kGrowthBeside = 0.5;      // the same beside colliders, which put hair out of them
+constexpr double kRounds = 3;              // so often a substep looks for colliders again
+constexpr int kHalfSecond = 30;            // calm frames
+constexpr double kLongestRecovery = 10;    // seconds that are waited for
+constexpr double kSubstep = 1.0 / 480;     // of calm frames, seconds
 constexpr glm::vec3 kGravity{0, -9.81f, 0};
 constexpr int kCalmFrames = 30;  // where nothing is waited for
 
@@ -233,7 +233,10 @@ class Run {
     if (!std::isfinite(stats.stretchMax) || !std::isfinite(stats.speedMax))
       fail("guides are not finite in frame ", frame);
     out_.stretch = std::max(out_.stretch, stats.stretchMax);
-    const float most = setup_.ordinary ? kStretchPromised : kStretchAtExtremes;
+    // Each coordinate of both ends of a link is off by half of a float's spacing at most.
+    const glm::vec3 at = glm::abs(hair.guides.worldFromHead.translation);
+    const float spacing = floatSpacing(std::max({at.x, at.y, at.z}) + hair.guides.reach());
+    const float most = kStretchPromised + 1.74f * spacing / hair.guides.shortestLink();
     if (!(stats.stretchMax <= most)) fail("stretch ", stats.stretchMax, " in frame ", frame);
     for (const glm::vec3& p : hair.wisps.points)
       if (!finite(p)) return fail("drawn points are not finite in frame ", frame);

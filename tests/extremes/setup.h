@@ -41,7 +41,6 @@ struct Setup {
   FrameSettings settings;
   const char* badField = nullptr;  ///< of badInputs()
   float badValue = 0;
-  bool ordinary = true;  ///< in all that moves guides
   bool refused = false;  ///< must be, whatever the rest is
 };
 
@@ -53,7 +52,6 @@ struct Value {
 struct Dimension {
   const char* name;
   std::vector<Value> values;
-  bool movesGuides = true;  ///< else only what is drawn of them
   std::size_t refused = 0;  ///< so many of the last values are refused, whatever the others are
 
   bool refuses(std::size_t value) const { return value + refused >= values.size(); }

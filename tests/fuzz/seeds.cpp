@@ -4,6 +4,8 @@
 
 #include <tests/files/samples.h>
 
+#include "small_hair.h"
+
 namespace hair {
 
 namespace {
@@ -207,6 +209,7 @@ std::vector<FuzzSeeds> fuzzSeeds() {
           {"obj", objSeeds()},
           {"mesh", meshSeeds()},
           {"script", scriptSeeds()},
+          {"state", sampleStates()},
           {"options", optionSeeds()}};
 }
 

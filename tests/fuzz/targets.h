@@ -20,6 +20,10 @@ bool fuzzScript(std::string_view bytes);
 /// A .bvh file as what it is for: a body that moves.
 bool fuzzClip(std::string_view bytes);
 
+/// A saved state of a hair that is what it was saved of (SmallHair): as it is, and with its check
+/// sum put right. True where either was restored. (state_target.cpp)
+bool fuzzState(std::string_view bytes);
+
 /// The command line of a program up to its work: a line a word, `hair` or `dance` the first. True
 /// where it was understood. (options_target.cpp)
 bool fuzzOptions(std::string_view lines);

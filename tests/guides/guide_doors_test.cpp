@@ -134,6 +134,35 @@ TEST(GuideDoors, JointsTooStiffForFloatsTakeShorterSubstepsOrAreRefused) {
   }
 }
 
+TEST(GuideDoors, ARootThatLeavesItsWayTakesShorterSubstepsAndOneThatKeepsItDoesNot) {
+  const GuideSettings settings;
+  GuideStrands guides(hanging(std::vector<float>(15, 0.02f)), settings);
+  GuideWorkspace workspace;
+  GuideMotion motion;
+  const auto substepOf = [&](float way) {
+    motion.worldFromHead.translation.x += way;
+    stepGuides(motion, settings, 1.0f / 60, workspace, guides);
+    return workspace.bending.substep;
+  };
+  const float ordinary = substepOf(0);
+  EXPECT_NEAR(ordinary, settings.substep, 1e-6f);
+  // From rest to 30 m/s half of a link takes 1/3000 s; what then keeps its speed asks for nothing.
+  EXPECT_LE(substepOf(0.5f), 1.0f / 3000 + 1e-7f);
+  EXPECT_EQ(substepOf(0.5f), ordinary);
+  // A jump: as short as may be.
+  EXPECT_NEAR(substepOf(50), kShortestSubstep, 1e-6f);
+}
+
+TEST(GuideDoors, UnevenLinksTakeShorterSubstepsForMoreWeight) {
+  GuideSettings settings;
+  settings.bendingStiffness = 0;
+  const GuideStrands guides(hanging({1e-3f, 1e-5f, 1e-3f}), settings);
+  EXPECT_LT(guides.longestSubstep({}, 50), 0.5f * guides.longestSubstep({}));
+  EXPECT_GE(guides.longestSubstep({}, 1e6f), kShortestSubstep);
+  const GuideStrands even(hanging({1e-3f, 1e-3f, 1e-3f}), settings);
+  EXPECT_EQ(even.longestSubstep({}, 50), even.longestSubstep({}));
+}
+
 TEST(GuideDoors, AShortLinkThatCarriesLongOnesRestsAndSwingsBack) {
   // A mass of 2 cm on 0.02 mm: tension turns it 50 times faster than a substep could follow.
   GuideSettings settings;

@@ -1,0 +1,63 @@
+#include <libhair/guides/substeps.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hair {
+
+namespace {
+
+// How a head moves that goes evenly from one place to another.
+struct HeadMotion {
+  glm::vec3 drift, spin;  // m/s, rad/s
+
+  HeadMotion(const RigidTransform& from, const RigidTransform& to, float seconds)
+      : drift((to.translation - from.translation) / seconds) {
+    const glm::quat turn = to.rotation * glm::conjugate(from.rotation);
+    const glm::vec3 axis =
+        turn.w < 0 ? -glm::vec3(turn.x, turn.y, turn.z) : glm::vec3(turn.x, turn.y, turn.z);
+    const float sine = glm::length(axis);
+    const float angle = 2 * std::atan2(sine, std::abs(turn.w));
+    spin = angle / (seconds * std::max(sine, 1e-12f)) * axis;
+  }
+};
+
+// What pulls on the hair, of its weight at rest.
+float pullOf(const GuideMotion& motion, const GuideSettings& settings, const HeadMotion& head,
+             const GuideStrands& guides) {
+  const float spin = glm::length(head.spin), reach = guides.reach();
+  // Gusts double the wind.
+  const float speed =
+      2 * glm::length(motion.wind.velocity) + glm::length(head.drift) + spin * reach;
+  const float most = glm::length(settings.gravity) + settings.airDrag * speed + spin * spin * reach;
+  return std::max(1.0f, most / std::max(guides.restGravity(), 1e-3f));
+}
+
+// In which no root leaves its way by more than half a link: at once, by another velocity than it
+// had, and then as it goes round.
+float longestForRoots(const HeadMotion& head, const GuideStrands& guides) {
+  const std::size_t n = guides.pointsPerGuide();
+  float change = 0;
+  for (std::size_t g = 0; g < guides.guideCount(); ++g) {
+    const std::size_t group = g / kLanes, l = g % kLanes;
+    const glm::vec3 arm = guides.worldFromHead.vector(lane(guides.restPosition[group * n], l));
+    const glm::vec3 velocity = head.drift + glm::cross(head.spin, arm);
+    change = std::max(change, glm::distance(velocity, lane(guides.velocity[group * n], l)));
+  }
+  const float half = 0.5f * guides.shortestLink();
+  const float round = glm::dot(head.spin, head.spin) * guides.reach();
+  return std::max(kShortestSubstep, std::min(half / std::max(change, 1e-9f),
+                                             std::sqrt(half / std::max(round, 1e-9f))));
+}
+
+}  // namespace
+
+float longestSubstep(const GuideMotion& motion, const GuideSettings& settings, float seconds,
+                     const GuideStrands& guides) {
+  const HeadMotion head(guides.worldFromHead, motion.worldFromHead, seconds);
+  const float pull = pullOf(motion, settings, head, guides);
+  return std::min({settings.substep, guides.longestSubstep(motion.worldFromHead, pull),
+                   longestForRoots(head, guides)});
+}
+
+}  // namespace hair
