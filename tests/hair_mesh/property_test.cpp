@@ -42,10 +42,12 @@ bool grows(Operation operation) {
          operation == Operation::Subdivide;
 }
 
-// Extrusion more than others, as without layers there is nothing to try, and cuts, to be welded.
+// Extrusion more than others, as without layers there is nothing to try, and cuts and
+// welds, of which few find what they need.
 std::optional<Operation> drawOperation(Draw& draw, const HairMesh& mesh) {
   const auto operation = draw.oneIn(3)   ? Operation::Extrude
                          : draw.oneIn(6) ? Operation::SeparateEdges
+                         : draw.oneIn(6) ? Operation::WeldVertices
                                          : Operation(draw.below(test::kOperationCount));
   if (grows(operation) && !mayGrow(mesh)) return {};
   if (operation == Operation::Subdivide && mesh.cornerCount() > 60) return {};
