@@ -8,8 +8,8 @@
 
 namespace hair {
 
-/// A hair mesh in the user's hands: an exterior vertex is picked and dragged, interior ones are placed
-/// anew and strands follow at once, as all that depends on topology is kept.
+/// A hair mesh in the user's hands: an exterior vertex is picked and dragged, interior ones are
+/// placed anew and strands follow at once, as all that depends on topology is kept.
 class MeshEditor {
  public:
   explicit MeshEditor(MeshHair hair);
@@ -17,9 +17,9 @@ class MeshEditor {
 
   const MeshHair& hair() const;
 
-  /// The exterior vertex nearest to `cursor` in a picture, of those within `reach` pixels, the scalp's
-  /// left out; of several the one in front. `clipFromHead`: OpenGL's clip space; `size` and `cursor`
-  /// in pixels, from the upper left corner.
+  /// The exterior vertex nearest to `cursor` in a picture, of those within `reach` pixels, the
+  /// scalp's left out; of several the one in front. `clipFromHead`: OpenGL's clip space; `size` and
+  /// `cursor` in pixels, from the upper left corner.
   std::optional<HairMeshVertex> pick(const glm::mat4& clipFromHead, glm::vec2 size,
                                      glm::vec2 cursor, float reach = 12) const;
 

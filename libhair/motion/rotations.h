@@ -18,10 +18,14 @@ inline float degreesBetween(const glm::quat& a, const glm::quat& b) {
 }
 
 /// The rotation whose images of +X, +Y, +Z are lateral, up, front: up is kept, front made normal to
-/// it. Neither needs to be a unit vector; they must not be parallel.
+/// it. Neither needs to be a unit vector. A rotation whatever they are: an `up` that is no
+/// direction is +Y, and where `front` is none, or along `up` (a neck that leaves its chest
+/// forward), some front is taken.
 inline glm::quat rotationFromUpFront(glm::vec3 up, glm::vec3 front) {
   up = glm::normalize(up);
-  const glm::vec3 lateral = glm::normalize(glm::cross(up, front));
+  if (!std::isfinite(up.x + up.y + up.z)) up = {0, 1, 0};
+  glm::vec3 lateral = glm::normalize(glm::cross(up, front));
+  if (!std::isfinite(lateral.x + lateral.y + lateral.z)) lateral = anyNormal(up);
   return glm::normalize(glm::quat_cast(glm::mat3(lateral, up, glm::cross(lateral, up))));
 }
 

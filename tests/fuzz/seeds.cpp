@@ -46,29 +46,29 @@ std::vector<std::string> dataSeeds() {
 
 // Somebody with a name for every part, in some order of channels; positions on every joint or on
 // the hips alone; frames that jump at the start and flip in the middle.
-std::string person(bool otherNames, bool positions) {
+std::string person(bool otherNames, bool positions, const char* neck = "0 15 0") {
   struct Part {
     const char *name, *otherName;
     int depth;
     const char* offset;
   };
-  static constexpr Part kParts[] = {{"Hips", "hip", 0, "0 90 0"},
-                                    {"Spine", "abdomen", 1, "0 20 0"},
-                                    {"Chest", "chest", 2, "0 20 0"},
-                                    {"Neck", "neck", 3, "0 15 0"},
-                                    {"Head", "head", 4, "0 10 0"},
-                                    {"LeftArm", "lShldr", 3, "15 10 0"},
-                                    {"LeftForeArm", "lForeArm", 4, "28 0 0"},
-                                    {"LeftHand", "lHand", 5, "25 0 0"},
-                                    {"RightArm", "rShldr", 3, "-15 10 0"},
-                                    {"RightForeArm", "rForeArm", 4, "-28 0 0"},
-                                    {"RightHand", "rHand", 5, "-25 0 0"},
-                                    {"LeftUpLeg", "lThigh", 1, "10 0 0"},
-                                    {"LeftLeg", "lShin", 2, "0 -42 0"},
-                                    {"LeftFoot", "lFoot", 3, "0 -42 0"},
-                                    {"RightUpLeg", "rThigh", 1, "-10 0 0"},
-                                    {"RightLeg", "rShin", 2, "0 -42 0"},
-                                    {"RightFoot", "rFoot", 3, "0 -42 0"}};
+  const Part kParts[] = {{"Hips", "hip", 0, "0 90 0"},
+                         {"Spine", "abdomen", 1, "0 20 0"},
+                         {"Chest", "chest", 2, "0 20 0"},
+                         {"Neck", "neck", 3, neck},
+                         {"Head", "head", 4, "0 10 0"},
+                         {"LeftArm", "lShldr", 3, "15 10 0"},
+                         {"LeftForeArm", "lForeArm", 4, "28 0 0"},
+                         {"LeftHand", "lHand", 5, "25 0 0"},
+                         {"RightArm", "rShldr", 3, "-15 10 0"},
+                         {"RightForeArm", "rForeArm", 4, "-28 0 0"},
+                         {"RightHand", "rHand", 5, "-25 0 0"},
+                         {"LeftUpLeg", "lThigh", 1, "10 0 0"},
+                         {"LeftLeg", "lShin", 2, "0 -42 0"},
+                         {"LeftFoot", "lFoot", 3, "0 -42 0"},
+                         {"RightUpLeg", "rThigh", 1, "-10 0 0"},
+                         {"RightLeg", "rShin", 2, "0 -42 0"},
+                         {"RightFoot", "rFoot", 3, "0 -42 0"}};
   std::string bvh = "HIERARCHY\n", frame;
   int open = 0, channels = 0;
   const auto closeTo = [&](int depth) {
@@ -205,7 +205,9 @@ std::vector<FuzzSeeds> fuzzSeeds() {
           {"tfx", tfxSeeds()},
           {"data", dataSeeds()},
           {"bvh", {sampleBvh(), person(false, false)}},
-          {"clip", {person(false, false), person(true, true), sampleBvh()}},
+          // A neck that leaves sideways once gave a head that was turned nowhere.
+          {"clip",
+           {person(false, false), person(true, true), person(true, true, "41 0 0"), sampleBvh()}},
           {"obj", objSeeds()},
           {"mesh", meshSeeds()},
           {"script", scriptSeeds()},
