@@ -112,9 +112,10 @@ void runPlan(const PlanOptions& options);
 #ifdef HAIR_WITH_HAIR_MESH
 /// hair mesh apply SCRIPT
 struct MeshApplyOptions {
-  std::filesystem::path script;  ///< .hairmesh
-  std::filesystem::path out;     ///< .obj: the hair mesh
-  std::filesystem::path hair;    ///< .hair: its strands; empty: none
+  std::filesystem::path script;   ///< .hairmesh
+  std::filesystem::path out;      ///< .obj: the hair mesh
+  std::filesystem::path hair;     ///< .hair: its strands; empty: none
+  std::filesystem::path density;  ///< picture over the scalp: where hair grows; empty: everywhere
 };
 void runMeshApply(const MeshApplyOptions& options);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <apps/draw/image.h>
 #include <apps/hair/commands.h>
 #include <apps/hair/info_rows.h>
 #include <libhair/core/error.h>
@@ -15,17 +16,31 @@ Hairstyle styleOf(const std::filesystem::path& script) {
   return applyScript(readHairMeshScript(script), filesBeside(script));
 }
 
+// A picture over the scalp from above.
+ScalpDensity densityOf(const std::filesystem::path& picture, const HairMesh& mesh) {
+  if (picture.empty()) return {};
+  draw::Mask mask = draw::readMask(picture);
+  const Bounds scalp = bounds(mesh.layers.front().positions);
+  return DensityImage{static_cast<std::uint32_t>(mask.width),
+                      static_cast<std::uint32_t>(mask.height),
+                      std::move(mask.values),
+                      {scalp.lower.x, scalp.lower.z},
+                      {scalp.upper.x, scalp.upper.z}};
+}
+
 }  // namespace
 
 void runMeshApply(const MeshApplyOptions& options) {
   const Hairstyle style = styleOf(options.script);
   require(options.hair.empty() || !style.groups.empty(), options.script.string(),
           ": no strands for --hair: the script has no line `group strands N`");
+  require(options.density.empty() || !options.hair.empty(),
+          "--density: it says where strands grow; ask for them with --hair too");
   writeHairMesh(options.out, style.mesh);
   std::cout << options.out.string() << ": " << style.mesh.bundleCount() << " bundles, "
             << style.mesh.layerCount() << " layers, " << style.mesh.vertexCount() << " vertices\n";
   if (options.hair.empty()) return;
-  const GrownHair hair = growHair(style.mesh, style.groups);
+  const GrownHair hair = growHair(style.mesh, style.groups, densityOf(options.density, style.mesh));
   writeStrands(options.hair, hair.strands);
   std::cout << options.hair.string() << ": " << hair.strands.strandCount() << " strands, "
             << hair.strands.pointCount() << " points, groups: " << style.groups.size() << '\n';

@@ -18,9 +18,13 @@ void addMesh(CLI::App& app, Run& run) {
       ->check(endsWith(".obj"));
   command->add_option("--hair", apply->hair, "strands of all its groups, .hair")
       ->check(endsWith(".hair"));
+  command->add_option("--density", apply->density,
+                      "how dense hair grows: a picture over the scalp from above, the face at the "
+                      "bottom; black: none");
   command->footer(
       "Examples:\n"
       "  hair mesh apply bob.hairmesh --out bob.obj --hair bob.hair\n"
+      "  hair mesh apply bob.hairmesh --out bob.obj --hair thin.hair --density thin.png\n"
       "  hair render --hair bob.hair --out bob.png\n"
       "Files that a script names stand beside it. docs/formats.md lists its operations.");
   command->callback([apply, &run] { run = [apply] { runMeshApply(*apply); }; });

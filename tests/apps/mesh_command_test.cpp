@@ -39,6 +39,25 @@ TEST(MeshCommand, AScriptBecomesAMeshAndItsStrands) {
       << ofScript.out;
 }
 
+TEST(MeshCommand, APictureSaysWhereHairGrows) {
+  const TemporaryFolder folder;
+  const std::string script = folder.write("a.hairmesh", kScript).string();
+  // Black at the back, white at the face.
+  const std::string picture = folder.write("front.pgm", "P2\n1 2\n255\n0\n255\n").string();
+  const std::string command =
+      "mesh apply " + script + " --out " + (folder / "a.obj").string() + " --density " + picture;
+  const std::string hair = (folder / "a.hair").string();
+  const Outcome made = run(command + " --hair " + hair);
+  ASSERT_EQ(made.code, 0) << made.out;
+  const StrandFile strands = readStrands(hair);
+  EXPECT_EQ(strands.strands.strandCount(), 350u);
+  double z = 0;
+  for (std::size_t s = 0; s < strands.strands.strandCount(); ++s)
+    z += static_cast<double>(strands.strands.strand(s).front().z) / 350;
+  EXPECT_GT(z, 0.02);  // a cap of 0.1 m around the origin
+  EXPECT_EQ(run(command).code, 1);
+}
+
 TEST(MeshCommand, ErrorsAreOneLineAndLeaveNoFile) {
   const TemporaryFolder folder;
   const std::string bad = folder.write("a.hairmesh", "scalp sphere 0.1 2 8\nextrude\n").string();
