@@ -48,6 +48,7 @@ class Interactive {
   Readout readout_;
   bool panelShown_ = true, stepAsked_ = false;
   bool moved_ = false;  // since the last picture
+  bool editing_ = false;
   Pace pace_;
   double secondsAPicture_ = 0, simulatedAPicture_ = 0;  // averages
   StatsLog stats_;
@@ -108,8 +109,13 @@ void Interactive::obey(const Requests& asked, const draw::WindowRequests& keys) 
   if (asked.redo) show_->redo();
   if (controls_.editMesh) {
     controls_.paused = true;
+    if (!editing_) {
+      controls_.internals.mesh = true;
+      show_->rest();
+    }
     window_.holdDrag(show_->edit(window_.pointer(), {window_.width(), window_.height()}));
   }
+  editing_ = controls_.editMesh;
   if (controls_.ownLook) controls_.look = show_->subject.look;
   show_->apply(controls_);
   makeRenderer();

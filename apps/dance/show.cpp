@@ -107,10 +107,14 @@ void Show::change(Edit edit) {
   Groom& next = edited_[hair.groom == &edited_[0] ? 1 : 0];
   next = groomOf(editor_->hair());
   changeGroom(next, performance.settings, hair);
-  restart(hair.body(), performance.settings, 0, hair);
-  performance.relight();
+  rest();
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   editMilliseconds_ = took.count();
+}
+
+void Show::rest() {
+  restart(performance.hair.body(), performance.settings, 0, performance.hair);
+  performance.relight();
 }
 
 bool Show::edit(const draw::Pointer& pointer, glm::vec2 size) {

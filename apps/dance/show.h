@@ -29,6 +29,8 @@ class Show {
   void takeOver(const draw::Scene& before);
   void report(Readout& readout) const;
 
+  /// Puts the hair to rest, as its mesh is shown while it is edited.
+  void rest();
   /// Lets the pointer pick and drag vertices of the hair mesh in a picture of so many pixels; the
   /// hair follows, at rest. Returns whether it holds one.
   bool edit(const draw::Pointer& pointer, glm::vec2 size);
