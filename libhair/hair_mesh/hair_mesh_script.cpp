@@ -70,7 +70,7 @@ const Hairstyle& ScriptRun::style() const {
   return workshop_->style;
 }
 
-Hairstyle apply(const HairMeshScript& script, ScriptFiles files, ScriptLimits limits) {
+Hairstyle applyScript(const HairMeshScript& script, ScriptFiles files, ScriptLimits limits) {
   ScriptRun run(std::move(files), limits);
   for (std::size_t line = 0; line < script.lines.size(); ++line) run.apply(script, line);
   require(run.style().mesh.bundleCount() > 0, script.name,

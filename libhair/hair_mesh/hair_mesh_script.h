@@ -68,6 +68,6 @@ class ScriptRun {
 };
 
 /// All lines. Throws Error as ScriptRun, and for a script without a scalp.
-Hairstyle apply(const HairMeshScript& script, ScriptFiles files = {}, ScriptLimits limits = {});
+Hairstyle applyScript(const HairMeshScript& script, ScriptFiles files = {}, ScriptLimits limits = {});
 
 }  // namespace hair

@@ -9,6 +9,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/core/transform.h>
 #include <libhair/hair_mesh/operations.h>
 #include <libhair/model/comb.h>
 #include <libhair/model/shared_sdf.h>
@@ -171,7 +172,7 @@ ScriptStep readDrape(ScriptWords& words) {
       const float step = length / kSteps;
       const glm::vec3 normal = outwards(w.obstacle, root), down(0, -1, 0);
       glm::vec3 flat = down - glm::dot(down, normal) * normal;
-      flat = glm::length(flat) > 1e-3f ? glm::normalize(flat) : glm::vec3(0);
+      flat = glm::length(flat) > 1e-3f ? glm::normalize(flat) : anyNormal(normal);
       glm::vec3 p = root, d = glm::mix(flat, normal, lift);
       d = glm::length(d) > 1e-6f ? glm::normalize(d) : normal;
       std::array<glm::vec3, kSteps + 1> dense{root};

@@ -106,7 +106,7 @@ ScriptStep readSweep(ScriptWords& words) {
           do {
             points.push_back(words.point("way-point"));
             words.expect(points.size() <= 200, "a sweep may have 200 way-points");
-          } while (!words.done());
+          } while (words.nextIsNumber());
         }}});
   words.expect(!points.empty(), "`through X Y Z ...` is missing");
   return [=](Workshop& w) {

@@ -22,7 +22,7 @@ class Spline {
       if (knots_.size() > 1) knots_.back().p = p;
       return;
     }
-    knots_.push_back({p, {}, 0});
+    knots_.push_back({p, {}, 0, {}, {}, {}});
   }
 
   void sample(std::span<glm::vec3> points) {
@@ -30,6 +30,7 @@ class Spline {
     std::ranges::fill(points, knots_[0].p);
     if (n == 1) return;
     findVelocities();
+    findCubics();
     // Lengths up to the ends of short chords.
     chords_.assign(1, {knots_[0].p, 0});
     for (std::size_t i = 0; i + 1 < n; ++i)
@@ -62,7 +63,8 @@ class Spline {
  private:
   struct Knot {
     glm::vec3 p, velocity;
-    float span;  // to the next, in the spline's parameter
+    float span;                      // to the next, in the spline's parameter
+    glm::vec3 linear, square, cube;  // from p, for a parameter from 0 to 1 along the span
   };
 
   // The derivative at a knot is that of the parabola through it and its neighbours, which is
@@ -82,10 +84,21 @@ class Spline {
     knots_[n - 1].velocity = slope(n - 2);
   }
 
+  // Each span's cubic has the places and velocities of its ends.
+  void findCubics() {
+    for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
+      Knot& k = knots_[i];
+      const glm::vec3 chord = knots_[i + 1].p - k.p;
+      const glm::vec3 va = k.span * k.velocity, vb = k.span * knots_[i + 1].velocity;
+      k.linear = va;
+      k.square = 3.0f * chord - 2.0f * va - vb;
+      k.cube = va + vb - 2.0f * chord;
+    }
+  }
+
   glm::vec3 at(std::size_t i, float t) const {
-    const Knot &a = knots_[i], &b = knots_[i + 1];
-    const glm::vec3 chord = b.p - a.p, va = a.span * a.velocity, vb = a.span * b.velocity;
-    return a.p + t * (va + t * (3.0f * chord - 2.0f * va - vb + t * (va + vb - 2.0f * chord)));
+    const Knot& k = knots_[i];
+    return k.p + t * (k.linear + t * (k.square + t * k.cube));
   }
 
   std::vector<Knot> knots_;

@@ -145,6 +145,19 @@ TEST(HairMeshFile, ErrorsNameFileLineAndCause) {
   EXPECT_NE(errorOf([] { readHairMesh("/no/such.obj"); }).find("/no/such.obj"), std::string::npos);
 }
 
+TEST(HairMeshFile, WhatIsNoSurfaceIsRefusedWithItsLayerAndBundle) {
+  const auto error = [](const std::string& layers) {
+    return errorOf([&] { parseHairMesh(kVertices + layers, "a.obj"); });
+  };
+  for (const char* layers : {"o a\nf 1 2 3\nf 1 2 4\nf 2 1 5\n",  // three on an edge
+                             "o a\nf 1 2 3\nf 1 2 4\n",           // one turned over
+                             "o a\nf 1 2 3 2\n",                  // a vertex twice
+                             "o a\nf 1 2 3\nf 1 5 6\n"}) {        // a vertex holds two alone
+    const std::string message = error(layers);
+    EXPECT_TRUE(message.starts_with("a.obj: layer 0")) << layers << message;
+  }
+}
+
 TEST(HairMeshFile, ManyEmptyLayersOnManyRootsCostNoMoreThanTheFile) {
   std::string bytes = "o root\n";
   constexpr int kRoots = 2000;
