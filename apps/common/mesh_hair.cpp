@@ -35,7 +35,7 @@ void askFor(std::uint32_t strands, std::vector<StrandGroup>& groups) {
 
 Hairstyle styleOf(const SubjectOptions& options) {
   if (extensionOf(options.hair) == ".hairmesh")
-    return hair::apply(readHairMeshScript(options.hair), filesBeside(options.hair));
+    return applyScript(readHairMeshScript(options.hair), filesBeside(options.hair));
   return {readHairMesh(options.hair), {}};
 }
 
