@@ -191,7 +191,9 @@ std::optional<int> exitCodeOfParsing(CLI::App& app, int argc, const char* const*
                                      std::ostream& out, std::ostream& err) {
   app.failure_message([](const CLI::App* failed, const CLI::Error& e) {
     std::string program = failed->get_name();
-    for (const CLI::App* command : failed->get_subcommands()) program += ' ' + command->get_name();
+    for (auto below = failed->get_subcommands(); !below.empty();
+         below = below.front()->get_subcommands())
+      program += ' ' + below.front()->get_name();
     return oneLine(text(program, ": ", e.what(), "; ", program, " --help tells more")) + '\n';
   });
   try {

@@ -109,4 +109,20 @@ struct PlanOptions {
 };
 void runPlan(const PlanOptions& options);
 
+#ifdef HAIR_WITH_HAIR_MESH
+/// hair mesh apply SCRIPT
+struct MeshApplyOptions {
+  std::filesystem::path script;  ///< .hairmesh
+  std::filesystem::path out;     ///< .obj: the hair mesh
+  std::filesystem::path hair;    ///< .hair: its strands; empty: none
+};
+void runMeshApply(const MeshApplyOptions& options);
+
+/// hair mesh info FILE
+struct MeshInfoOptions {
+  std::filesystem::path file;  ///< .obj, or .hairmesh: what it makes
+};
+void runMeshInfo(const MeshInfoOptions& options);
+#endif
+
 }  // namespace hair

@@ -1,35 +1,15 @@
 #include <algorithm>
 #include <cctype>
-#include <iomanip>
-#include <iostream>
 #include <numeric>
 
 #include <apps/hair/commands.h>
+#include <apps/hair/info_rows.h>
 #include <libhair/files/bvh_file.h>
 #include <libhair/files/obj.h>
 
 namespace hair {
 
 namespace {
-
-// Every line is a name and what there is to say, in two columns.
-std::ostream& row(std::string_view name) {
-  return std::cout << std::left << std::setw(14) << name;
-}
-
-struct Quantiles {
-  float least, median, most;
-};
-Quantiles quantiles(std::vector<float> values) {
-  std::sort(values.begin(), values.end());
-  return {values.front(), values[values.size() / 2], values.back()};
-}
-
-void printBounds(std::span<const glm::vec3> points) {
-  const Bounds b = bounds(points);
-  row("bounds") << "x " << b.lower.x << " .. " << b.upper.x << ", y " << b.lower.y << " .. "
-                << b.upper.y << ", z " << b.lower.z << " .. " << b.upper.z << " m\n";
-}
 
 // Distance of each root to the nearest other one. Sorted along x, so that only roots that are
 // nearer in x than the best so far need a look.

@@ -132,6 +132,9 @@ void addCommands(CLI::App& app, Run& run, const std::string& commandLine) {
   addMeasure(app, run, commandLine);
   addMeasureMotion(app, run);
   addPlan(app, run);
+#ifdef HAIR_WITH_HAIR_MESH
+  addMesh(app, run);
+#endif
 }
 
 }  // namespace hair

@@ -20,4 +20,7 @@ void addMeasure(CLI::App& app, Run& run, const std::string& commandLine);
 void addMeasureMotion(CLI::App& app, Run& run);
 void addPlan(CLI::App& app, Run& run);
 
+/// `hair mesh apply`, `hair mesh info`.
+void addMesh(CLI::App& app, Run& run);
+
 }  // namespace hair

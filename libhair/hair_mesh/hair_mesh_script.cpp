@@ -51,16 +51,13 @@ ScriptRun::~ScriptRun() = default;
 void ScriptRun::apply(const HairMeshScript& script, std::size_t line) {
   const HairMeshScript::Line& l = script.lines.at(line);
   try {
-    const ScriptLimits& limits = workshop_->limits;
-    const std::size_t work = work_ + usedCorners(workshop_->mesh());
-    require(lines_ < limits.lines, "a script may have ", limits.lines, " operations");
-    require(work <= limits.work, "the script is too much work: ", work,
-            " corners summed over its lines, at most ", limits.work);
+    const std::size_t most = workshop_->limits.lines;
+    require(lines_ < most, "a script may have ", most, " operations");
     Workshop changed = *workshop_;
+    changed.spend();
     l.apply(changed);
     *workshop_ = std::move(changed);
     ++lines_;
-    work_ = work;
   } catch (const Error& e) {
     throw Error(text(script.name, ": line ", l.number, ": ", e.what()));
   }

@@ -43,7 +43,7 @@ ScriptFiles filesBeside(const std::filesystem::path& script);
 struct ScriptLimits {
   std::size_t lines = 10'000;        ///< with an operation
   std::size_t corners = 1'000'000;   ///< of faces in all layers; as many vertices at the most
-  std::size_t work = 1'000'000'000;  ///< corners summed over lines
+  std::size_t work = 1'000'000'000;  ///< corners of faces, summed over passes over the mesh
 };
 
 /// Throws Error (file, line, cause) for a line that no operation understands.
@@ -64,10 +64,11 @@ class ScriptRun {
 
  private:
   std::unique_ptr<Workshop> workshop_;
-  std::size_t lines_ = 0, work_ = 0;
+  std::size_t lines_ = 0;
 };
 
 /// All lines. Throws Error as ScriptRun, and for a script without a scalp.
-Hairstyle applyScript(const HairMeshScript& script, ScriptFiles files = {}, ScriptLimits limits = {});
+Hairstyle applyScript(const HairMeshScript& script, ScriptFiles files = {},
+                      ScriptLimits limits = {});
 
 }  // namespace hair

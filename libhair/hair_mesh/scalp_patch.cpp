@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <libhair/core/error.h>
+#include <libhair/core/parallel.h>
 #include <libhair/model/head.h>
 
 namespace hair {
@@ -71,7 +72,7 @@ class Meridian {
 
   // Angle at which it leaves the scalp.
   float hairline() const {
-    constexpr float kStep = 0.01f;
+    constexpr float kStep = 0.03f;  // 3 mm: ears are wider
     float inside = 0;
     while (inside < 2.6f && scalpMask(at(inside + kStep)) >= 0.5f) inside += kStep;
     float outside = inside + kStep;
@@ -96,11 +97,11 @@ PolygonMesh headScalp(const ScalpPatch& patch, const Parting& parting) {
           "scalp: a parting at x = ", parting.x, " that ends at z = ", parting.whorlZ,
           " is not on top of the head (|x| <= 0.05, |z| <= 0.06)");
   std::vector<Meridian> meridians;
-  std::vector<float> hairlines;
-  for (std::uint32_t s = 0; s < patch.sectors; ++s) {
-    meridians.emplace_back(patch, parting, s);
-    hairlines.push_back(meridians.back().hairline());
-  }
+  for (std::uint32_t s = 0; s < patch.sectors; ++s) meridians.emplace_back(patch, parting, s);
+  std::vector<float> hairlines(patch.sectors);
+  parallelFor(patch.sectors, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) hairlines[s] = meridians[s].hairline();
+  });
   return ringsOf(
       patch, [&](float share, std::uint32_t s) { return meridians[s].at(share * hairlines[s]); });
 }

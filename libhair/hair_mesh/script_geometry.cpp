@@ -139,6 +139,7 @@ ScriptStep readSmooth(ScriptWords& words) {
   return [=](Workshop& w) {
     const std::vector<TargetVertex> vertices = verticesOf(w, target);
     for (std::uint32_t i = 0; i < times; ++i) {
+      w.spend();
       const std::vector<Neighbours> near = neighboursOf(w.mesh());
       for (const TargetVertex& t : vertices) {
         glm::vec3& p = w.mesh().layers[t.layer].positions[t.vertex];

@@ -30,6 +30,7 @@ void growTo(Workshop& w, std::span<const std::uint32_t> bundles, std::uint32_t l
     for (const std::uint32_t j : bundles)
       if (mesh.lastLayer[j] < layers) shorter.push_back(j);
     if (shorter.empty()) return;
+    w.spend();
     extrudeFaces(shorter, 1e-3f, mesh);
   }
 }
@@ -136,7 +137,6 @@ ScriptStep readComb(ScriptWords& words) {
     require(w.onHead, "only hair of the built-in head is combed; `drape` is for others");
     StyleSettings settings = style;
     settings.parting = w.parting;
-    const glm::vec3 pole = w.mesh().layers[0].positions[0];
     if (!std::isnan(whorl)) settings.parting.whorlZ = whorl;
     const MeshSdf& head = builtinHeadSdf();
     layAlong(w, bundles, layers, [&](glm::vec3 root, glm::vec3 beside, std::span<glm::vec3> curve) {
@@ -144,7 +144,7 @@ ScriptStep readComb(ScriptWords& words) {
       constexpr float kAside = 0.004f;
       const glm::vec3 way = beside - root;
       glm::vec3 aside = glm::length(way) > 1e-5f ? kAside * glm::normalize(way) : glm::vec3(0);
-      if (root == pole) aside = {0, 0, -kAside};
+      if (glm::distance(root, w.whorl) < 2e-3f) aside = {0, 0, -kAside};
       const glm::vec3 from = onScalp(head, root + aside);
       combGuide(settings, head, from, from, 0, curve);
       for (std::size_t k = 0; k < curve.size(); ++k) {
@@ -206,6 +206,8 @@ ScriptStep readGroup(ScriptWords& words) {
       {{"strands", [&] { group.strands = words.whole("strands", 1, 10'000'000); }},
        {"points", [&] { group.points = words.whole("points", 2, 4096); }},
        {"seed", [&] { group.seed = words.whole("seed", 0, 0xfffffffe); }},
+       {"per-square-metre",
+        [&] { group.perSquareMetre = words.number("per-square-metre", 0, 1e7f); }},
        {"length-cut", [&] { share("length-cut", s.lengthCut, kBelowOne); }},
        {"length-variation", [&] { share("length-variation", s.lengthVariation, kBelowOne); }},
        {"clump", [&] { share("clump", s.clump); }},

@@ -20,6 +20,12 @@ void setScalp(Workshop& w, PolygonMesh scalp) {
   w.mesh() = makeHairMesh(scalp);
 }
 
+void requireRoom(const Workshop& w, const ScalpPatch& patch) {
+  const std::size_t corners = std::size_t{patch.sectors} * (4 * patch.rings - 1);
+  require(corners <= w.limits.corners, "the scalp would have ", corners,
+          " corners of faces, at most ", w.limits.corners);
+}
+
 void setRings(Workshop& w, const ScalpPatch& patch) {
   w.sectors = patch.sectors;
   for (std::uint32_t j = 0; j < w.mesh().bundleCount(); ++j) {
@@ -42,9 +48,11 @@ ScriptStep readHeadScalp(ScriptWords& words) {
   words.options({{"parting", [&] { parting.x = words.number("parting", -0.05f, 0.05f); }},
                  {"whorl", [&] { parting.whorlZ = words.number("whorl", -0.06f, 0.06f); }}});
   return [=](Workshop& w) {
+    requireRoom(w, patch);
     setScalp(w, headScalp(patch, parting));
     setRings(w, patch);
     w.parting = parting;
+    w.whorl = w.mesh().layers[0].positions[w.mesh().face(0, 0)[0]];
     w.onHead = true;
     w.obstacle = headField;
   };
@@ -57,6 +65,7 @@ ScriptStep readSphereScalp(ScriptWords& words) {
   float degrees = 90;
   words.options({{"to", [&] { degrees = words.number("degrees", 1, 170); }}});
   return [=](Workshop& w) {
+    requireRoom(w, patch);
     setScalp(w, sphereScalp(patch, radius, degrees));
     setRings(w, patch);
     w.obstacle = [radius](glm::vec3 p) { return glm::length(p) - radius; };

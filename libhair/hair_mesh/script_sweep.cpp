@@ -72,6 +72,7 @@ void sweepAlong(Workshop& w, std::span<const std::uint32_t> bundles, std::uint32
       glm::length(section.normal) > 1e-12f ? glm::normalize(section.normal) : towards(0);
   glm::quat turned(1, 0, 0, 0);
   for (std::uint32_t i = 1; i <= layers; ++i) {
+    w.spend();
     extrudeFaces(bundles, 1e-3f, mesh);
     const glm::vec3 next = towards(i);
     turned = turnBetween(tangent, next) * turned;

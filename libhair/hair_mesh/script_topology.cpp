@@ -36,6 +36,7 @@ ScriptStep readExtrude(ScriptWords& words) {
     const std::vector<std::uint32_t> bundles = w.bundles(name);
     HairMesh& mesh = w.mesh();
     for (std::uint32_t i = 0; i < times; ++i) {
+      w.spend();
       w.requireRoom(sidesOf(mesh, bundles), 1);
       extrudeFaces(bundles, distance, mesh);
       if (share == 0) continue;
@@ -66,6 +67,7 @@ ScriptStep readDelete(ScriptWords& words) {
   words.options({{"times", [&] { times = words.whole("times", 1, 1000); }}});
   return [=](Workshop& w) {
     for (std::uint32_t i = 0; i < times; ++i) {
+      w.spend();
       const std::vector<std::uint32_t> bundles = w.bundles(name);
       BundleSet goes(w.mesh().bundleCount(), 0);
       for (const std::uint32_t j : bundles) goes[j] = w.mesh().lastLayer[j] == 0;
@@ -82,12 +84,12 @@ ScriptStep readDelete(ScriptWords& words) {
 
 // Once for each piece of a layer in which bundles are joined.
 template <class Change>
-void forEachPiece(const Workshop& w, std::uint32_t layer, const std::string& name,
-                  const Change& change) {
+void forEachPiece(Workshop& w, std::uint32_t layer, const std::string& name, const Change& change) {
   BundleSet done(w.mesh().bundleCount(), 0);
   std::vector<std::vector<std::uint32_t>> pieces;
   for (const std::uint32_t j : w.bundles(name)) {
     if (done[j] || w.mesh().lastLayer[j] < layer) continue;
+    w.spend();
     pieces.push_back(connectedFaces(w.mesh(), layer, j));
     for (const std::uint32_t i : pieces.back()) done[i] = 1;
   }
@@ -206,6 +208,7 @@ ScriptStep readWeld(ScriptWords& words) {
       const HairMeshEdge a{corners[e.cornerA], corners[e.nextA]};
       const HairMeshEdge b{corners[e.nextB], corners[e.cornerB]};
       if (a.a == b.a && a.b == b.b) continue;
+      w.spend();
       weldEdges(seam.layer, a, b, w.mesh());
       any = true;
     }
@@ -227,11 +230,15 @@ ScriptStep readSeparateVertices(ScriptWords& words) {
   const std::uint32_t layer = words.whole("layer", 1, kMostLayers);
   return [=](Workshop& w) {
     requireLayer(w, layer);
+    std::vector<std::uint32_t> faces(w.mesh().layers[layer].vertexCount(), 0);
+    for (const std::uint32_t v : w.mesh().layers[layer].corners)
+      if (v != kNoVertex) ++faces[v];
     std::vector<std::uint32_t> vertices;
     for (const std::uint32_t j : w.bundles(name))
       if (w.mesh().lastLayer[j] >= layer)
-        for (const std::uint32_t v : w.mesh().face(layer, j)) vertices.push_back(v);
-    require(!vertices.empty(), "no bundle of '", name, "' has a layer ", layer);
+        for (const std::uint32_t v : w.mesh().face(layer, j))
+          if (faces[v] > 1) vertices.push_back(v);
+    require(!vertices.empty(), "'", name, "' shares no vertex in layer ", layer);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     separateVertices(layer, vertices, w.mesh());

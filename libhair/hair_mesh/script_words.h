@@ -39,9 +39,7 @@ class ScriptWords {
     return true;
   }
 
-  bool nextIsNumber() const {
-    return !done() && words_[at_].find_first_of("0123456789+-.") == 0;
-  }
+  bool nextIsNumber() const { return !done() && words_[at_].find_first_of("0123456789+-.") == 0; }
 
   /// A name that a script gives: a letter, then letters, digits, `-` and `_`.
   std::string name(std::string_view what) {

@@ -37,6 +37,12 @@ void Workshop::requireRoom(std::size_t corners, std::size_t layers) const {
           " corners of the scalp, most of them empty; at most ", 4 * limits.corners, " together");
 }
 
+void Workshop::spend() {
+  work += usedCorners(mesh());
+  require(work <= limits.work, "the script is too much work: ", work,
+          " corners of faces in all its passes over the mesh, at most ", limits.work);
+}
+
 void Workshop::renumber(std::span<const std::uint32_t> from) {
   const auto follow = [&](auto& ofBundles) {
     if (ofBundles.empty()) return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <span>
 #include <string>
@@ -28,7 +29,9 @@ struct Workshop {
   std::function<float(glm::vec3)> obstacle;  ///< distance to the head, metres
   bool onHead = false;                       ///< the built-in one
   Parting parting;
+  glm::vec3 whorl{NAN};  ///< where it ends on the scalp; NaN for scalps without one
   bool autoPlace = true;
+  std::size_t work = 0;  ///< corners that passes over the mesh have seen
 
   HairMesh& mesh() { return style.mesh; }
   const HairMesh& mesh() const { return style.mesh; }
@@ -41,6 +44,9 @@ struct Workshop {
   /// Throws Error if the mesh had more corners than allowed after `corners` more in use and
   /// `layers` more layers.
   void requireRoom(std::size_t corners, std::size_t layers) const;
+
+  /// Before each pass over the mesh; throws Error when the script has had enough of them.
+  void spend();
 
   /// What is said of bundles follows them: the new bundle b was, or is part of, from[b].
   void renumber(std::span<const std::uint32_t> from);

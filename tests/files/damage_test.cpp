@@ -31,6 +31,7 @@ std::vector<Format> formats() {
 #endif
 #ifdef HAIR_WITH_HAIR_MESH
           {"mesh", fuzzMesh, sampleHairMesh(), false},
+          {"script", fuzzScript, sampleHairMeshScript(), false},
 #endif
           {"bvh", fuzzBvh, sampleBvh(), false},
           {"clip", fuzzClip, sampleBvh(), false}};
@@ -110,6 +111,8 @@ TEST(Damage, RandomMutationsAreReadOrAnError) {
                                        "f",
                                        "v",
                                        "o layer_1\n",
+                                       "extrude all .1\n",
+                                       "delete a\n",
                                        "End Site\n{\n",
                                        "JOINT j\n{\n",
                                        "CHANNELS 3 Xrotation Yrotation Zrotation\n",

@@ -96,6 +96,12 @@ inline std::string sampleHairMesh() {
          "v 0 2 1\nv 1 2 1\nv 1 2 0\nf -4 -3 -2 -1\n";
 }
 
+/// A scalp of three triangles, hair on two of them.
+inline std::string sampleHairMeshScript() {
+  return "scalp sphere 0.1 1 3\nselect a x > 0 # right\nextrude a .1\n\tmove a at tip 0 1 0\r"
+         "group points 9\n";
+}
+
 /// A folder that goes away with the test.
 class TemporaryFolder {
  public:

@@ -85,8 +85,10 @@ bool namesWhatIsWrong(const std::string& message, const CLI::App& app,
     return std::any_of(options.begin(), options.end(),
                        [&](const CLI::Option* option) { return said(option->get_name()); });
   };
-  const auto commands = app.get_subcommands();
-  return saysAnOptionOf(&app) || std::any_of(commands.begin(), commands.end(), saysAnOptionOf);
+  std::vector<const CLI::App*> commands{&app};  // and those below, as far as they were given
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    for (const CLI::App* below : commands[i]->get_subcommands()) commands.push_back(below);
+  return std::any_of(commands.begin(), commands.end(), saysAnOptionOf);
 }
 
 void promiseMessage(const std::string& message, const CLI::App& app,
@@ -97,6 +99,15 @@ void promiseMessage(const std::string& message, const CLI::App& app,
 }
 
 }  // namespace
+
+#ifdef HAIR_WITH_HAIR_MESH
+void runMeshApply(const MeshApplyOptions& options) {
+  promise(options.out.string().ends_with(".obj"), "--out");
+  promise(options.hair.empty() || options.hair.string().ends_with(".hair"), "--hair");
+}
+
+void runMeshInfo(const MeshInfoOptions&) {}
+#endif
 
 void runInfo(const InfoOptions& options) {
   promiseRead(options.read);

@@ -112,6 +112,37 @@ std::vector<std::string> meshSeeds() {
           "o b\nv 0 1 0\nv 0 1 1\nv 1 1 0\nv 1 1 0\nv 0 1 1\nv 1 1 1\nf 5 6 7\nf 8 9 10\n"};
 }
 
+// Every operation and option of scripts.
+std::vector<std::string> scriptSeeds() {
+  const std::string start = "scalp sphere 0.1 2 5 to 80\nselect a z > 0 or rim minus not x <= 0\n";
+  return {
+      sampleHairMeshScript(),
+      start +
+          "extrude all 0.02 towards 0 0 1 0.5 times 3\nselect b bundles 3..7 where ring = 1 and "
+          "sector >= 0 and angle < 180 and tip-y > -1 and length < 1 and layers = 3 and sides > 3\n"
+          "insert 2 a\nremove 3 all\nseparate a from b at 2\nweld a with b at 2\nseparate "
+          "parting\nweld parting\nseparate-vertices b at 2\ndelete a times 2\n",
+      start +
+          "extrude all 0.02\nauto-place off\nmove all at 1..2 ramp 0 0 0.01\nscale a about 0 0 1 "
+          "by 1 2 1\nrotate a at tip 30 about 0 0 0 axis 0 1 0\ngather a 0 0 0 0.1\nfall a "
+          "0.5\nsmooth a 0.2 times 2\nkeep-out all 0.01\npin a\nunpin a at 1\nplace\nauto-place "
+          "on\n",
+      start +
+          "drape all 3 length 0.1 lift 0.5 stiffness 0.1 clearance 0 volume 0\nsweep a 3 scale 0.5 "
+          "twist 90 through 0 0 1 0 0 2\ncoil a 4 about 0 0 3 axis 0 1 0 turns 0.5 radius 0.1 rise "
+          "0.1 scale 1 twist 0\n",
+      "scalp sphere 0.1 1 4\nextrude all 0.1\nseparate-edge 1 0 1\nsubdivide loop flat\n",
+      "scalp sphere 0.1 1 4\nextrude all 0.1\nsubdivide catmull-clark\ndivide-face 0 0 2\n"
+      "divide-edge 1 0\n",
+      "scalp head 1 4 parting 0.01 whorl -0.02\npull all 2 to 0 0.2 -0.15 axis 0 0 -1 radius 0.02 "
+      "volume 0.01 clearance 0.002\ngroup strands 9 points 9 seed 3 per-square-metre 0 length-cut "
+      "0.1 length-variation 0.2 clump 0.3 clump-size 7 curl-radius 0.01 curl-pitch 0.02 "
+      "curl-from-root 0.25 noise 0.004 noise-length 0.05 frizz 0.002 frizz-length 0.006 "
+      "frizz-share "
+      "0.5\n",
+      "scalp file a.obj\nextrude all 0.1\n"};
+}
+
 // What is typed with blanks, as lines.
 std::string lines(std::string words) {
   std::replace(words.begin(), words.end(), ' ', '\n');
@@ -156,6 +187,10 @@ std::vector<std::string> optionSeeds() {
            "--pitch -5 --distance 3 --side-by-side" +
                kSubject + kPerformance + kResults,
            std::string("dance --style long --still"),
+#ifdef HAIR_WITH_HAIR_MESH
+           std::string("hair mesh apply a.hairmesh --out a.obj --hair a.hair"),
+           std::string("hair mesh info a.obj"),
+#endif
        })
     seeds.push_back(lines(words));
   return seeds;
@@ -171,6 +206,7 @@ std::vector<FuzzSeeds> fuzzSeeds() {
           {"clip", {person(false, false), person(true, true), sampleBvh()}},
           {"obj", objSeeds()},
           {"mesh", meshSeeds()},
+          {"script", scriptSeeds()},
           {"options", optionSeeds()}};
 }
 

@@ -13,6 +13,7 @@
 #endif
 #ifdef HAIR_WITH_HAIR_MESH
 #include <libhair/hair_mesh/hair_mesh_file.h>
+#include <libhair/hair_mesh/hair_mesh_script.h>
 #endif
 
 #include "promise.h"
@@ -140,6 +141,17 @@ bool fuzzMesh(std::string_view bytes) {
     promise(whyInvalid(mesh).empty(), "a mesh that is read is valid");
     const std::string written = hairMeshBytes(mesh);
     promise(hairMeshBytes(parseHairMesh(written, "fuzz")) == written, "what is written is read");
+  });
+}
+
+bool fuzzScript(std::string_view bytes) {
+  const auto file = [](const std::string&) {
+    return std::string("v 0 0.3 0\nv 0 0.3 1\nv 1 0.3 0\nv 1 0.3 1\nf 1 2 3\nf 3 2 4\n");
+  };
+  return readOrError([&] {
+    const Hairstyle style = applyScript(parseHairMeshScript(bytes, "fuzz"), file,
+                                        {.lines = 30, .corners = 400, .work = 8000});
+    promise(whyInvalid(style.mesh).empty(), "a mesh that a script makes is valid");
   });
 }
 #endif

@@ -15,6 +15,8 @@ bool fuzzBvh(std::string_view bytes);
 bool fuzzObj(std::string_view bytes);
 /// A hair mesh.
 bool fuzzMesh(std::string_view bytes);
+/// A script that makes one; the only file it finds is a scalp of two faces.
+bool fuzzScript(std::string_view bytes);
 /// A .bvh file as what it is for: a body that moves.
 bool fuzzClip(std::string_view bytes);
 

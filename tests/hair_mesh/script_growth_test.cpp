@@ -1,8 +1,12 @@
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <libhair/core/parallel.h>
 #include <libhair/hair_mesh/hair_mesh_script.h>
 #include <libhair/model/head.h>
+#include <libhair/model/scalp_roots.h>
 #include <tests/hair_mesh/same_mesh.h>
 
 namespace hair {
@@ -53,6 +57,16 @@ TEST(ScriptGrowth, PulledHairEndsInADisc) {
     most = std::max(most, glm::distance(p, to));
   }
   EXPECT_NEAR(most, 0.02f, 1e-5f);
+  // The farther a root, the farther out its hair.
+  const glm::vec3 pole = glm::normalize(to - kSkullMiddle);
+  std::vector<float> angles;
+  for (const glm::vec3 p : mesh.layers[0].positions)
+    angles.push_back(std::acos(glm::dot(glm::normalize(p - kSkullMiddle), pole)));
+  const float farthest = *std::max_element(angles.begin(), angles.end());
+  for (std::uint32_t j = 0; j < mesh.bundleCount(); ++j)
+    for (std::size_t i = 0; i < mesh.sides(j); ++i)
+      EXPECT_NEAR(glm::distance(mesh.layers.back().positions[mesh.face(6, j)[i]], to),
+                  0.02f * angles[mesh.face(0, j)[i]] / farthest, 1e-5f);
   for (const glm::vec3 p : mesh.layers[3].positions) EXPECT_GT(headField(p), 1e-3f);
 }
 
@@ -73,6 +87,11 @@ TEST(ScriptGrowth, ASweptSectionKeepsItsShapeAndGoesThroughItsPoints) {
     return sum / count;
   };
   EXPECT_LT(glm::distance(middleOf(41), {0, 0.1f, 0.3f}), 1e-3f);
+  glm::vec3 normal(0);  // of the last section: along the path
+  for (std::uint32_t j = 0; j < mesh.bundleCount(); ++j)
+    for (std::size_t i = 0; i < mesh.sides(j); ++i)
+      normal += glm::cross(to[mesh.face(41, j)[i]], to[mesh.face(41, j)[(i + 1) % mesh.sides(j)]]);
+  EXPECT_GT(glm::dot(glm::normalize(normal), glm::normalize(middleOf(41) - middleOf(40))), 0.999f);
   float nearest = 1;
   for (std::size_t k = 1; k < 42; ++k)
     nearest = std::min(nearest, glm::distance(middleOf(k), {0, 0.2f, 0.1f}));

@@ -31,7 +31,7 @@ TEST(Script, EveryOperationChangesTheMeshAndLeavesItValid) {
            "separate front",
            "separate front from back at 2",
            "separate parting",
-           "separate-vertices all at 2",
+           "separate-vertices front at 2",
            "divide-face 7 0 2",
            "divide-edge 7 1",
            "subdivide catmull-clark",
@@ -141,8 +141,9 @@ TEST(Script, PinnedVerticesStayAndAutoPlaceCanBeOff) {
   const Hairstyle loose = styleOf(kStart + "pin all\nunpin all\nmove all at tip 0.03 0 0\n");
   for (std::uint32_t k = 0; k < 4; ++k)
     for (std::size_t v = 0; v < inside[k].size(); ++v)
-      EXPECT_LT(glm::distance(placed.mesh.layers[k].positions[v], loose.mesh.layers[k].positions[v]),
-                1e-5f);
+      EXPECT_LT(
+          glm::distance(placed.mesh.layers[k].positions[v], loose.mesh.layers[k].positions[v]),
+          1e-5f);
   for (std::uint32_t k = 1; k < 3; ++k)
     for (std::size_t v = 0; v < inside[k].size(); ++v)
       EXPECT_EQ(pinned.mesh.layers[k].positions[v], start.mesh.layers[k].positions[v]);
@@ -153,7 +154,8 @@ TEST(Script, GroupsAreWhatTheyAreToldToBe) {
       kStart +
       "group strands 500 points 9 seed 3 length-cut 0.1 length-variation 0.2 clump 0.3 "
       "clump-size 7 curl-radius 0.01 curl-pitch 0.02 curl-from-root 0.25 noise 0.004 noise-length "
-      "0.05 frizz 0.002 frizz-length 0.006 frizz-share 0.5   # all of them\ngroup\n");
+      "0.05 per-square-metre 9e4 frizz 0.002 frizz-length 0.006 frizz-share 0.5   # all of "
+      "them\ngroup\n");
   ASSERT_EQ(style.groups.size(), 2u);
   const StrandGroup& g = style.groups[0];
   EXPECT_EQ(g.strands, 500u);
@@ -171,6 +173,7 @@ TEST(Script, GroupsAreWhatTheyAreToldToBe) {
   EXPECT_EQ(g.styling.frizz, 0.002f);
   EXPECT_EQ(g.styling.frizzLength, 0.006f);
   EXPECT_EQ(g.styling.frizzShare, 0.5f);
+  EXPECT_EQ(g.perSquareMetre, 9e4f);
   EXPECT_EQ(style.groups[1].strands, StrandGroup().strands);
 }
 
@@ -251,7 +254,7 @@ TEST(Script, LimitsAreNamed) {
             std::string::npos);
   EXPECT_NE(error("subdivide catmull-clark\n", {.corners = 500}).find("at most 500"),
             std::string::npos);
-  EXPECT_NE(error("extrude all 0.01\nplace\n", {.work = 300}).find("too much work"),
+  EXPECT_NE(error("smooth all 0.1 times 9\n", {.work = 1500}).find("too much work"),
             std::string::npos);
   EXPECT_NE(error("drape all 1000\n", {.corners = 500}).find("at most 500"), std::string::npos);
   EXPECT_NE(error("sweep all 1000 through 1 1 1\n", {.corners = 500}).find("at most 500"),
