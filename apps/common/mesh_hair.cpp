@@ -36,7 +36,7 @@ void askFor(std::uint32_t strands, std::vector<StrandGroup>& groups) {
 Hairstyle styleOf(const SubjectOptions& options) {
   if (extensionOf(options.hair) == ".hairmesh")
     return applyScript(readHairMeshScript(options.hair), filesBeside(options.hair));
-  return {readHairMesh(options.hair), {}};
+  return {readHairMesh(options.hair), {}, {}};
 }
 
 #endif
@@ -55,6 +55,7 @@ MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& n
   Hairstyle style = styleOf(options);
   hair.mesh = std::move(style.mesh);
   hair.groups = std::move(style.groups);
+  hair.tied = std::move(style.tied);
   const std::string name = options.hair.filename().string();
   if (hair.groups.empty()) {
     hair.groups.emplace_back();
@@ -72,7 +73,7 @@ MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& n
 }
 
 Groom groomOf(const MeshHair& hair) {
-  return makeGroom(hair.mesh, hair.grown.roots, hair.grown.strands);
+  return makeGroom(hair.mesh, hair.grown.roots, hair.grown.strands, {.tied = hair.tied});
 }
 
 #else

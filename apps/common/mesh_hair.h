@@ -20,6 +20,7 @@ bool isHairMesh(const std::filesystem::path& file);
 struct MeshHair {
   HairMesh mesh;
   std::vector<StrandGroup> groups;
+  std::vector<std::uint32_t> tied;  ///< Hairstyle::tied
   GrownHair grown;
 };
 
