@@ -1,5 +1,6 @@
 #include <libhair/hair_state.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <istream>
@@ -60,6 +61,8 @@ std::uint64_t restShapeOf(const Hair& hair) {
   const GuideStrands& g = hair.guides;
   add(g.restPosition), add(g.linkLength), add(g.restTension), add(g.curvature);
   add(g.jointStiffness), add(g.pointMass), add(g.clearance);
+  if (std::any_of(g.tied.begin(), g.tied.end(), [](auto tied) { return tied > 1; }))
+    add(g.inverseMass);
   const Groom& groom = *hair.groom;
   add(groom.first), add(groom.parents), add(groom.weights), add(groom.offsets);
   return hash.value();

@@ -27,7 +27,7 @@ void askFor(std::uint32_t strands, std::vector<StrandGroup>& groups) {
 Hairstyle styleOf(const SubjectOptions& options) {
   if (isHairMeshScript(options.hair))
     return applyScript(readHairMeshScript(options.hair), filesBeside(options.hair));
-  return {readHairMesh(options.hair), {}};
+  return {readHairMesh(options.hair), {}, {}};
 }
 
 }  // namespace
@@ -37,6 +37,7 @@ MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& n
   Hairstyle style = styleOf(options);
   hair.mesh = std::move(style.mesh);
   hair.groups = std::move(style.groups);
+  hair.tied = std::move(style.tied);
   const std::string name = options.hair.filename().string();
   if (hair.groups.empty()) {
     hair.groups.emplace_back();
@@ -54,7 +55,7 @@ MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& n
 }
 
 Groom groomOf(const MeshHair& hair) {
-  return makeGroom(hair.mesh, hair.grown.roots, hair.grown.strands);
+  return makeGroom(hair.mesh, hair.grown.roots, hair.grown.strands, {.tied = hair.tied});
 }
 
 void moveBy(const RigidTransform& to, MeshHair& hair) {

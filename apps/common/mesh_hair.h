@@ -25,6 +25,7 @@ inline bool isHairMesh(const std::filesystem::path& file) {
 struct MeshHair {
   HairMesh mesh;
   std::vector<StrandGroup> groups;
+  std::vector<std::uint32_t> tied;  ///< Hairstyle::tied
   GrownHair grown;
 };
 

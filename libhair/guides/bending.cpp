@@ -26,7 +26,11 @@ void factorLane(const GuideStrands& guides, std::size_t group, std::size_t lane,
                 BendingFactors& out) {
   const std::size_t n = guides.pointsPerGuide(), links = n - 1;
   std::array<double, kMaxGuidePoints> diagonal{}, below1{}, below2{}, d{}, l1{}, l2{};
-  for (std::size_t i = 0; i < n; ++i) diagonal[i] = guides.pointMass[group * n + i][lane] / (h * h);
+  // What is tied moves with its head whatever pulls on it: as if it was very heavy.
+  constexpr double kTied = 1e12;
+  for (std::size_t i = 0; i < n; ++i)
+    diagonal[i] = guides.pointMass[group * n + i][lane] / (h * h) *
+                  (guides.inverseMass[group * n + i][lane] > 0 ? 1 : kTied);
   for (std::size_t i = 0; i < links; ++i) {
     // q_i = d_i - d_(i-1) in terms of points i - 1, i and i + 1.
     const double kappa = (1.0 + out.damping) * guides.jointStiffness[group * links + i][lane];

@@ -59,6 +59,9 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
   curvature.resize(groups * links);
   jointStiffness.resize(groups * links);
   uneven.resize(groups);
+  require(groom.tied.empty() || groom.tied.size() == guideCount_, "groom: ties of ",
+          groom.tied.size(), " guides, but there are ", guideCount_);
+  tied.assign(groups, 1);
   for (std::size_t slot = 0; slot < groups * kLanes; ++slot) {
     const std::size_t guide = std::min(slot, guideCount_ - 1), group = slot / kLanes,
                       l = slot % kLanes;
@@ -68,12 +71,14 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
     const RestShape rest = makeRestShape(points, rootNormalOf(direction), settings, guide);
     setLane(rootTangent[group], l, direction);
     setLane(rootNormal[group], l, rootNormalOf(direction));
+    const std::uint32_t held = groom.tied.empty() ? 1 : std::clamp(groom.tied[guide], 1u, points_);
+    tied[group] = std::max(tied[group], held);
     for (std::size_t i = 0; i < n; ++i) {
       setLane(restPosition[group * n + i], l, points[i]);
       clearance[group * n + i][l] =
           head ? std::min(settings.skin, head->distance(points[i])) : settings.skin;
       pointMass[group * n + i][l] = rest.mass[i];
-      inverseMass[group * n + i][l] = i > 0 ? 1.0f / rest.mass[i] : 0.0f;
+      inverseMass[group * n + i][l] = i >= held ? 1.0f / rest.mass[i] : 0.0f;
     }
     float length = 0;
     for (std::size_t i = 0; i < links; ++i) {

@@ -93,9 +93,11 @@ class GuideStrands {
   std::vector<LaneVec3>
       curvature;  ///< [groupCount · linksPerGuide], c_i in the frame of link i - 1
   std::vector<Lanes> jointStiffness;  ///< [groupCount · linksPerGuide], kappa_i per linear density
-  std::vector<Lanes> pointMass;    ///< [groupCount · pointsPerGuide], per linear density (metres)
-  std::vector<Lanes> inverseMass;  ///< [groupCount · pointsPerGuide], 1 / pointMass; root: 0
-  std::vector<Lanes> clearance;    ///< [groupCount · pointsPerGuide], least distance to the head
+  std::vector<Lanes> pointMass;     ///< [groupCount · pointsPerGuide], per linear density (metres)
+  std::vector<Lanes> inverseMass;   ///< [groupCount · pointsPerGuide], 1 / pointMass; 0 for the
+                                    ///< root and what is tied (Groom::tied)
+  std::vector<std::uint32_t> tied;  ///< [groupCount], points that are tied in some strand, >= 1
+  std::vector<Lanes> clearance;     ///< [groupCount · pointsPerGuide], least distance to the head
   /// [groupCount], whether a strand has uneven links (kEven).
   std::vector<std::uint8_t> uneven;
 

@@ -26,6 +26,10 @@ struct Contact {
 /// stands on its contact would have no freedom left, and the system no solution.
 inline constexpr float kSlide = 0.98f;
 
+/// A link between two tied points has no freedom: what its system divides by instead. Less than any
+/// other has, enough that nothing overflows before it is multiplied by their inverse masses, 0.
+inline constexpr float kTiedPivot = 1e-12f;
+
 /// What is left of a point's movement where it may only slide.
 HWY_INLINE Vec3 slide(const Contact& contact, const Vec3& move) {
   if (!contact.touched) return move;
@@ -81,7 +85,8 @@ HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
       above[i - 1] = c * pivot;
       rhs = rhs + c * right[i - 1];
     }
-    pivot = Floats(1.0f) / max(diagonal, Floats(1e-6f) * Floats(inverseMass[i + 1]));
+    const Floats least = Floats(1e-6f) * Floats(inverseMass[i + 1]);
+    pivot = Floats(1.0f) / max(diagonal, max(least, Floats(kTiedPivot)));
     right[i] = rhs * pivot;
   }
   // Backward; what link i and the one after it do to the point between them.

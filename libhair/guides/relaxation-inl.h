@@ -30,7 +30,8 @@ HWY_INLINE void relaxLinks(std::uint32_t points, const Lanes* linkLength, const 
     const Vec3 d = (Floats(1.0f) / lengthNow) * e;
     const Vec3 back = Floats(inverseMass[i]) * slide(contacts[i], d);
     const Vec3 forth = Floats(inverseMass[i + 1]) * slide(contacts[i + 1], d);
-    const Floats give = max(dot(back + forth, d), Floats(1e-6f) * Floats(inverseMass[i + 1]));
+    const Floats least = max(Floats(1e-6f) * Floats(inverseMass[i + 1]), Floats(kTiedPivot));
+    const Floats give = max(dot(back + forth, d), least);
     const Floats lambda = (Floats(linkLength[i]) - lengthNow) / give;
     x[i] = x[i] - lambda * back;
     x[i + 1] = x[i + 1] + lambda * forth;

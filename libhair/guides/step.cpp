@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 
 // Everything that one substep of one group reads, pointing into the group's part of the arrays.
 struct Group {
-  std::uint32_t points;
+  std::uint32_t points, tied;
   LaneVec3 *position, *velocity;
   Lanes* tension;
   const LaneVec3 *restPosition, *push;
@@ -232,7 +232,10 @@ void substep(const Group& g, const GuideSettings& settings, const WindField* win
   const std::uint32_t n = g.points, links = n - 1;
   const bool direct = settings.linkSolver == LinkSolver::Direct;
   predict(g, settings, wind, h, colliders, s);
-  s.x[0] = rotate(colliders.turn, g.restPosition[0]) + Vec3(colliders.at);
+  for (std::uint32_t i = 0; i < g.tied; ++i) {
+    const Vec3 onHead = rotate(colliders.turn, g.restPosition[i]) + Vec3(colliders.at);
+    s.x[i] = i == 0 ? onHead : select(Floats(g.inverseMass[i]) > Floats(0.0f), s.x[i], onHead);
+  }
   const RootFrame root{rotate(colliders.turn, g.rest.tangent),
                        rotate(colliders.turn, g.rest.normal)};
   const RootFrame rootBefore{rotate(colliders.turnBefore, g.rest.tangent),
@@ -259,8 +262,13 @@ void substep(const Group& g, const GuideSettings& settings, const WindField* win
   // no work on links that keep their lengths. Feeding it back from sweeps that have not converged
   // would make links swing.
   const Floats perStep = 1.0f / h, perStep2 = 1.0f / (h * h);
-  for (std::uint32_t i = 0; i < links; ++i)
-    store(Floats(g.tension[i]) - perStep2 * s.lambda[i], g.tension[i]);
+  for (std::uint32_t i = 0; i < links; ++i) {
+    Floats tension = Floats(g.tension[i]) - perStep2 * s.lambda[i];
+    // Between two tied points nothing is known of it, nor felt.
+    if (i + 1 < g.tied)
+      tension = select(Floats(g.inverseMass[i + 1]) > Floats(0.0f), tension, Floats(0.0f));
+    store(tension, g.tension[i]);
+  }
   for (std::uint32_t i = 0; i < n; ++i) {
     store(perStep * (s.x[i] - Vec3(g.position[i])), g.velocity[i]);
     store(s.x[i], g.position[i]);
@@ -280,6 +288,7 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
     const std::size_t p = k * n, l = k * links;
     const Group group{
         n,
+        guides.tied[k],
         &guides.position[p],
         &guides.velocity[p],
         &guides.tension[l],

@@ -8,8 +8,33 @@ namespace hair {
 
 namespace {
 
+void applyLine(const HairMeshScript& script, const HairMeshScript::Line& line, Workshop& w) {
+  try {
+    require(++w.lines <= w.limits.lines, "a script may have ", w.limits.lines, " operations");
+    w.spend();
+    line.apply(w);
+  } catch (const Error& e) {
+    throw Error(text(script.name, ": line ", line.number, ": ", e.what()));
+  }
+}
+
+// include NAME: all lines of another script, as if they stood here
+ScriptStep readInclude(ScriptWords& words) {
+  return [file = std::string(words.word("a file"))](Workshop& w) {
+    constexpr std::uint32_t kDeepest = 8;
+    require(w.files != nullptr, "files are not read here: '", TextReader::shown(file), "'");
+    require(w.included < kDeepest, "'", TextReader::shown(file), "': scripts may include others ",
+            kDeepest, " deep; does it include itself?");
+    const HairMeshScript script = parseHairMeshScript(w.files(file), file);
+    ++w.included;
+    for (const HairMeshScript::Line& line : script.lines) applyLine(script, line, w);
+    --w.included;
+  };
+}
+
 ScriptStep readLine(ScriptWords& words) {
   const std::string_view name = words.word("an operation");
+  if (name == "include") return readInclude(words);
   for (const auto commands : {selectionCommands(), topologyCommands(), geometryCommands(),
                               growthCommands(), sweepCommands()})
     for (const ScriptCommand& command : commands)
@@ -49,18 +74,9 @@ ScriptRun::ScriptRun(ScriptFiles files, ScriptLimits limits)
 ScriptRun::~ScriptRun() = default;
 
 void ScriptRun::apply(const HairMeshScript& script, std::size_t line) {
-  const HairMeshScript::Line& l = script.lines.at(line);
-  try {
-    const std::size_t most = workshop_->limits.lines;
-    require(lines_ < most, "a script may have ", most, " operations");
-    Workshop changed = *workshop_;
-    changed.spend();
-    l.apply(changed);
-    *workshop_ = std::move(changed);
-    ++lines_;
-  } catch (const Error& e) {
-    throw Error(text(script.name, ": line ", l.number, ": ", e.what()));
-  }
+  Workshop changed = *workshop_;
+  applyLine(script, script.lines.at(line), changed);
+  *workshop_ = std::move(changed);
 }
 
 const Hairstyle& ScriptRun::style() const {

@@ -16,6 +16,8 @@ namespace hair {
 struct Hairstyle {
   HairMesh mesh;
   std::vector<StrandGroup> groups;
+  /// [bundleCount], or empty: layers up to which the hair is tied to the head (MeshGroomSettings).
+  std::vector<std::uint32_t> tied;
 };
 
 /// What a script is applied to: the hairstyle so far, its selections, the head. (script_workshop.h)
@@ -33,7 +35,8 @@ struct HairMeshScript {
   std::vector<Line> lines;
 };
 
-/// The bytes of a file that a script names (`scalp file NAME`); throws Error where there is none.
+/// The bytes of a file that a script names (`scalp file NAME`, `include NAME`); throws Error where
+/// there is none.
 using ScriptFiles = std::function<std::string(const std::string& name)>;
 
 /// Files beside the script: names are relative to its folder.
@@ -64,7 +67,6 @@ class ScriptRun {
 
  private:
   std::unique_ptr<Workshop> workshop_;
-  std::size_t lines_ = 0;
 };
 
 /// All lines. Throws Error as ScriptRun, and for a script without a scalp.

@@ -51,6 +51,29 @@ std::vector<glm::vec3> guidesAlong(const HairMesh& mesh, const HairMeshChains& c
   return points;
 }
 
+// Of each chain, the points that its ties hold: those that lie no farther along it than the layer.
+std::vector<std::uint32_t> tiedPoints(const HairMesh& mesh, const HairMeshChains& chains,
+                                      std::span<const std::uint32_t> tied,
+                                      std::uint32_t pointsPerGuide) {
+  std::vector<std::uint32_t> layer(chains.chainCount(), 0), points(chains.chainCount(), 1);
+  for (std::size_t j = 0; j < mesh.bundleCount(); ++j)
+    for (std::uint32_t c = mesh.firstCorner[j]; c < mesh.firstCorner[j + 1]; ++c)
+      if (const std::uint32_t chain = chains.chainOfCorner[c]; chain != kNoVertex)
+        layer[chain] = std::max(layer[chain], std::min(tied[j], mesh.lastLayer[j]));
+  for (std::size_t c = 0; c < chains.chainCount(); ++c) {
+    const auto vertices = chains.chain(c);
+    float length = 0, upToTie = 0;
+    for (std::size_t k = 1; k < vertices.size(); ++k) {
+      length += glm::distance(mesh.layers[k - 1].positions[vertices[k - 1]],
+                              mesh.layers[k].positions[vertices[k]]);
+      if (k <= layer[c]) upToTie = length;
+    }
+    const auto last = static_cast<float>(pointsPerGuide - 1);
+    points[c] += static_cast<std::uint32_t>(last * upToTie / length + 0.01f);
+  }
+  return points;
+}
+
 // The three corners of most weight, the greatest first; fewer corners than three there are none.
 void hang(const HairMesh& mesh, const HairMeshChains& chains, const HairMeshRoots& roots,
           std::size_t root, glm::uvec3& parents, glm::vec3& weights) {
@@ -74,13 +97,20 @@ Groom makeGroom(const HairMesh& mesh, std::span<const HairMeshRoots> roots, Stra
                 const MeshGroomSettings& settings) {
   validate(strands, "hair mesh: strands", 2);
   require(strands.strandCount() > 0, "hair mesh: no strands; extrude a face, or ask for more");
-  require(settings.pointsPerGuide >= 3 && settings.pointsPerGuide <= kMaxGuidePoints,
-          "hair mesh: pointsPerGuide = ", settings.pointsPerGuide, " is not in 3 to ",
-          kMaxGuidePoints);
+  const std::size_t byLayers = std::clamp<std::size_t>(mesh.layerCount(), 16, kMaxGuidePoints);
+  const std::uint32_t pointsPerGuide =
+      settings.pointsPerGuide > 0 ? settings.pointsPerGuide : static_cast<std::uint32_t>(byLayers);
+  require(pointsPerGuide >= 3 && pointsPerGuide <= kMaxGuidePoints,
+          "hair mesh: pointsPerGuide = ", pointsPerGuide, " is not in 3 to ", kMaxGuidePoints);
   const HairMeshChains chains = chainsOf(mesh);
   Groom groom;
-  groom.pointsPerGuide = settings.pointsPerGuide;
-  groom.guidePoints = guidesAlong(mesh, chains, settings.pointsPerGuide);
+  groom.pointsPerGuide = pointsPerGuide;
+  groom.guidePoints = guidesAlong(mesh, chains, pointsPerGuide);
+  if (!settings.tied.empty()) {
+    require(settings.tied.size() == mesh.bundleCount(), "hair mesh: ties of ", settings.tied.size(),
+            " bundles, but there are ", mesh.bundleCount());
+    groom.tied = tiedPoints(mesh, chains, settings.tied, pointsPerGuide);
+  }
   for (const HairMeshRoots& group : roots) {
     validate(group, mesh);
     for (std::size_t r = 0; r < group.rootCount(); ++r)

@@ -8,8 +8,13 @@
 namespace hair {
 
 struct MeshGroomSettings {
-  std::uint32_t pointsPerGuide = 16;  ///< 3 to kMaxGuidePoints
-  float hairs = 100'000;              ///< that the drawn strands stand for together
+  /// 3 to kMaxGuidePoints; 0: as many as there are layers, so that links are about as long as the
+  /// edges that they stand for, but 16 at least.
+  std::uint32_t pointsPerGuide = 0;
+  float hairs = 100'000;  ///< that the drawn strands stand for together
+  /// [bundleCount], or empty: chains at the corners of a bundle keep their places on the head up to
+  /// this layer (Groom::tied); 0: only their roots do. Of several bundles' the highest counts.
+  std::vector<std::uint32_t> tied = {};
 };
 
 /// Makes hair of a hair mesh move (Yuksel et al. 2009, section 4): its chains are the guides, with

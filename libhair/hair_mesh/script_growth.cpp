@@ -140,11 +140,13 @@ ScriptStep readComb(ScriptWords& words) {
     if (!std::isnan(whorl)) settings.parting.whorlZ = whorl;
     const MeshSdf& head = builtinHeadSdf();
     layAlong(w, bundles, layers, [&](glm::vec3 root, glm::vec3 beside, std::span<glm::vec3> curve) {
-      // A root on the parting falls to the side its faces are on; that of the whorl to the back.
-      constexpr float kAside = 0.004f;
+      // A root on the parting falls to the side its faces are on; that of the whorl to the back,
+      // where faces are all around it.
+      constexpr float kAside = 0.004f, kAllAround = 0.005f;
       const glm::vec3 way = beside - root;
       glm::vec3 aside = glm::length(way) > 1e-5f ? kAside * glm::normalize(way) : glm::vec3(0);
-      if (glm::distance(root, w.whorl) < 2e-3f) aside = {0, 0, -kAside};
+      if (glm::distance(root, w.whorl) < 2e-3f && glm::length(way) < kAllAround)
+        aside = {0, 0, -kAside};
       const glm::vec3 from = onScalp(head, root + aside);
       combGuide(settings, head, from, from, 0, curve);
       for (std::size_t k = 0; k < curve.size(); ++k) {
@@ -226,11 +228,32 @@ ScriptStep readGroup(ScriptWords& words) {
   };
 }
 
+// groups none: what an included script grows is left to this one
+ScriptStep readGroups(ScriptWords& words) {
+  words.expect(words.take("none"), "after `groups` comes `none`");
+  return [](Workshop& w) { w.style.groups.clear(); };
+}
+
+// tie SEL [at LAYER]: up to its tips, or a layer, hair keeps its place on the head
+ScriptStep readTie(ScriptWords& words) {
+  const std::string name = words.name("a selection");
+  std::uint32_t layer = kMostLayers;
+  if (words.take("at")) layer = words.whole("layer", 1, kMostLayers);
+  return [=](Workshop& w) {
+    std::vector<std::uint32_t>& tied = w.style.tied;
+    tied.resize(w.mesh().bundleCount(), 0);
+    for (const std::uint32_t j : w.bundles(name)) tied[j] = std::min(layer, w.mesh().lastLayer[j]);
+  };
+}
+
 }  // namespace
 
 std::span<const ScriptCommand> growthCommands() {
-  static constexpr ScriptCommand kCommands[] = {
-      {"comb", readComb}, {"drape", readDrape}, {"group", readGroup}};
+  static constexpr ScriptCommand kCommands[] = {{"comb", readComb},
+                                                {"drape", readDrape},
+                                                {"group", readGroup},
+                                                {"groups", readGroups},
+                                                {"tie", readTie}};
   return kCommands;
 }
 

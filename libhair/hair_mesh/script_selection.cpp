@@ -202,7 +202,7 @@ ScriptStep readSelect(ScriptWords& words) {
   const std::string name = words.name("a name");
   for (const Quantity& quantity : kQuantities)
     words.expect(quantity.name != name, "'", name, "' has a meaning already");
-  for (const std::string_view taken : {"all", "rim", "bundles", "not", "parting"})
+  for (const std::string_view taken : {"all", "rim", "bundles", "not", "parting", "whorl"})
     words.expect(taken != name, "'", name, "' has a meaning already");
   struct Part {
     char how;

@@ -120,17 +120,18 @@ ScriptStep readRemove(ScriptWords& words) {
   };
 }
 
-// A SEL [from | with B] [at LAYER], or the parting.
+// A SEL [from | with B] [at LAYER], or the parting, or all edges that meet in the whorl.
 struct Seam {
   std::string a, b;  // b empty: all others
-  bool parting = false;
+  bool parting = false, whorl = false;
   std::uint32_t layer = 1;
 };
 
 Seam readSeam(ScriptWords& words, std::string_view and_) {
   Seam seam;
   seam.parting = words.take("parting");
-  if (!seam.parting) {
+  seam.whorl = !seam.parting && words.take("whorl");
+  if (!seam.parting && !seam.whorl) {
     seam.a = words.name("a selection");
     if (words.take(and_)) seam.b = words.name("a selection");
   }
@@ -145,12 +146,15 @@ struct SeamEdge {
 std::vector<SeamEdge> edgesOf(const Workshop& w, const Seam& seam) {
   const HairMesh& mesh = w.mesh();
   BundleSet a(mesh.bundleCount(), 0), b = a;
-  if (seam.parting) {
+  if (seam.parting || seam.whorl) {
     w.selected("all");
-    require(w.sectors > 0, "a scalp from a file has no parting; name the bundles on both sides");
+    require(w.sectors > 0,
+            "a scalp from a file has no parting or whorl; name the bundles on both sides");
+    // Of an odd number of sectors the first and the last are even, and the parting's.
     for (std::size_t j = 0; j < a.size(); ++j) {
-      a[j] = w.sector[j] == 0;
-      b[j] = w.sector[j] + 1 == w.sectors;
+      const bool even = w.sector[j] % 2 == 0, last = w.sector[j] + 1 == w.sectors;
+      a[j] = seam.parting ? w.sector[j] == 0 : w.ring[j] == 0 && even;
+      b[j] = seam.parting ? last : w.ring[j] == 0 && !even;
     }
   } else {
     a = w.selected(seam.a);
@@ -181,7 +185,7 @@ std::vector<SeamEdge> edgesOf(const Workshop& w, const Seam& seam) {
   return edges;
 }
 
-// separate SEL [from SEL] [at LAYER] | separate parting [at LAYER]
+// separate SEL [from SEL] [at LAYER] | separate parting|whorl [at LAYER]
 ScriptStep readSeparate(ScriptWords& words) {
   const Seam seam = readSeam(words, "from");
   return [seam](Workshop& w) {
@@ -197,7 +201,7 @@ ScriptStep readSeparate(ScriptWords& words) {
   };
 }
 
-// weld SEL [with SEL] [at LAYER] | weld parting [at LAYER]
+// weld SEL [with SEL] [at LAYER] | weld parting|whorl [at LAYER]
 ScriptStep readWeld(ScriptWords& words) {
   const Seam seam = readSeam(words, "with");
   return [seam](Workshop& w) {

@@ -52,6 +52,7 @@ void Workshop::renumber(std::span<const std::uint32_t> from) {
     ofBundles = std::move(now);
   };
   for (auto& [name, set] : selections) follow(set);
+  follow(style.tied);
   follow(ring);
   follow(sector);
 }

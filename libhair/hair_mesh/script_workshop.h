@@ -31,7 +31,9 @@ struct Workshop {
   Parting parting;
   glm::vec3 whorl{NAN};  ///< where it ends on the scalp; NaN for scalps without one
   bool autoPlace = true;
-  std::size_t work = 0;  ///< corners that passes over the mesh have seen
+  std::uint32_t included = 0;  ///< scripts inside of which the line stands
+  std::size_t lines = 0;       ///< that were applied
+  std::size_t work = 0;        ///< corners that passes over the mesh have seen
 
   HairMesh& mesh() { return style.mesh; }
   const HairMesh& mesh() const { return style.mesh; }

@@ -78,6 +78,34 @@ TEST(Guides, AColliderThatComesFromAfarWithinOneFrameStaysOut) {
   EXPECT_LT(measureGuides(guides, settings, {&now, 1}, nullptr).penetrationMax, 1e-3f);
 }
 
+TEST(Guides, WhatIsTiedKeepsItsPlaceOnTheHeadAndTheRestSwings) {
+  GuideSettings settings;
+  for (const LinkSolver solver : {LinkSolver::Direct, LinkSolver::Relaxation}) {
+    settings.linkSolver = solver;
+    Groom groom = sphereGroom(40, 15);
+    for (std::uint32_t g = 0; g < 40; ++g) groom.tied.push_back(g % 17);  // 0 and 1: the root
+    GuideStrands guides(groom, settings), free(sphereGroom(40, 15), settings);
+    const Worst worst = shake(guides, settings, 130);
+    shake(free, settings, 130);
+    for (std::uint32_t g = 0; g < 40; ++g) {
+      for (std::uint32_t i = 0; i < std::max(groom.tied[g], 1u); ++i)
+        EXPECT_LT(glm::distance(guides.point(g, i), guides.worldFromHead.point(groom.guide(g)[i])),
+                  1e-6f)
+            << g << ' ' << i;
+      if (groom.tied[g] == 16) continue;
+      EXPECT_GT(glm::distance(guides.point(g, 15), guides.worldFromHead.point(groom.guide(g)[15])),
+                2e-5f)
+          << g;
+    }
+    // A strand beside tied ones moves as one among free ones.
+    for (const std::uint32_t g : {0u, 1u, 17u, 18u, 34u, 35u})
+      EXPECT_EQ(guides.point(g, 15), free.point(g, 15)) << g;
+    if (solver == LinkSolver::Direct) {
+      EXPECT_LT(worst.stretch, 1e-3f);
+    }
+  }
+}
+
 TEST(Guides, SameBitsForAnyThreadCount) {
   const GuideSettings settings;
   std::vector<std::uint64_t> hashes;

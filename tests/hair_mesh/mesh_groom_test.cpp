@@ -109,6 +109,18 @@ TEST(MeshGroom, VerticesFollowTheirGuides) {
   EXPECT_THROW(followGuides(g.mesh, chains, shifted, 15, moved), Error);
 }
 
+TEST(MeshGroom, TiesHoldChainsUpToTheirLayer) {
+  const Grown g = grown(2, 1);  // two bundles side by side, of 5 layers
+  const Groom groom = makeGroom(g.mesh, {&g.roots, 1}, g.strands, {.tied = {2, 0}});
+  const HairMeshChains chains = chainsOf(g.mesh);
+  ASSERT_EQ(groom.tied.size(), chains.chainCount());
+  std::vector<std::uint32_t> expected(chains.chainCount(), 1);
+  for (std::uint32_t c = g.mesh.firstCorner[0]; c < g.mesh.firstCorner[1]; ++c)
+    expected[chains.chainOfCorner[c]] = 8;  // layer 2 of 4 is at 7.5 of 15 links
+  EXPECT_EQ(groom.tied, expected);
+  EXPECT_THROW(makeGroom(g.mesh, {&g.roots, 1}, g.strands, {.tied = {2}}), Error);
+}
+
 TEST(MeshGroom, SaysWhatCannotBeSimulated) {
   Grown g = grown();
   StrandSet fewer;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <libhair/core/parallel.h>
 #include <libhair/hair_mesh/hair_mesh_script.h>
 #include <libhair/model/head.h>
@@ -30,6 +32,25 @@ TEST(ScriptGrowth, CombedHairPartsAndLiesOutsideOfTheHead) {
     EXPECT_GT(mesh.layers[4].positions[mesh.face(4, right)[0]].x, 0.03f) << ring;
     EXPECT_LT(mesh.layers[4].positions[mesh.face(4, left)[3]].x, -0.01f) << ring;
     EXPECT_EQ(mesh.face(0, right)[0], mesh.face(0, left)[3]) << ring;
+  }
+}
+
+TEST(ScriptGrowth, HairAroundASeparatedWhorlFallsToItsOwnSide) {
+  for (const char* sectors : {"16", "15"}) {
+    const HairMesh mesh = meshOf("scalp head 4 " + std::string(sectors) +
+                                 "\nextrude all 0.005\nseparate parting\nseparate whorl\n"
+                                 "comb all 8 length 0.3 volume 0.02\n");
+    EXPECT_EQ(whyInvalid(mesh), "");
+    // Corner 0 of the triangles of ring 0 is the whorl, below the parting's end.
+    std::set<std::uint32_t> whorls;
+    for (std::uint32_t s = 0; s < std::stoul(sectors); ++s) {
+      EXPECT_EQ(mesh.face(0, s)[0], mesh.face(0, 0)[0]);
+      whorls.insert(mesh.face(4, s)[0]);
+    }
+    EXPECT_EQ(whorls.size(), std::stoul(sectors));
+    EXPECT_GT(mesh.layers[5].positions[mesh.face(5, 2)[0]].x, 0.05f);
+    EXPECT_LT(mesh.layers[5].positions[mesh.face(5, 12)[0]].x, -0.05f);
+    EXPECT_LT(mesh.layers[5].positions[mesh.face(5, 7)[0]].z, -0.05f);
   }
 }
 

@@ -31,6 +31,7 @@ TEST(Script, EveryOperationChangesTheMeshAndLeavesItValid) {
            "separate front",
            "separate front from back at 2",
            "separate parting",
+           "separate whorl",
            "separate-vertices front at 2",
            "divide-face 7 0 2",
            "divide-edge 7 1",
@@ -280,6 +281,37 @@ TEST(Script, FilesThatItNamesStandBesideIt) {
   EXPECT_EQ(
       error,
       "a.hairmesh: line 1: b.obj: line 1: vertex: a number is missing at the end of the line");
+}
+
+TEST(Script, AnIncludedScriptStandsWhereItIsNamed) {
+  const auto files = [](const std::string& name) -> std::string {
+    if (name == "mesh.hairmesh")
+      return "scalp sphere 0.1 1 4\nselect half ring = 0\ninclude up.hairmesh\ngroup strands 7\n";
+    if (name == "up.hairmesh") return "extrude half 0.05\n";
+    if (name == "wrong.hairmesh") return "scalp sphere 0.1 1 4\nextrude none 0.05\n";
+    return "include " + name + "\n";  // itself
+  };
+  const Hairstyle plain = styleOf("scalp sphere 0.1 1 4\nextrude all 0.05\nextrude all 0.01\n");
+  const Hairstyle style = styleOf("include mesh.hairmesh\nextrude half 0.01\ngroup\n", files);
+  EXPECT_TRUE(test::identical(style.mesh, plain.mesh));
+  EXPECT_EQ(style.groups.size(), 2u);
+  EXPECT_EQ(styleOf("include mesh.hairmesh\ngroups none\ngroup strands 9\n", files).groups.size(),
+            1u);
+  const std::string wrong = errorOf([&] { styleOf("include wrong.hairmesh\n", files); });
+  EXPECT_NE(wrong.find("a.hairmesh: line 1: wrong.hairmesh: line 2: "), std::string::npos) << wrong;
+  const std::string endless = errorOf([&] { styleOf("include again.hairmesh\n", files); });
+  EXPECT_NE(endless.find("8 deep"), std::string::npos) << endless;
+  // Its lines count.
+  EXPECT_THROW(styleOf("include mesh.hairmesh\n", files, {.lines = 4}), Error);
+  EXPECT_NO_THROW(styleOf("include mesh.hairmesh\n", files, {.lines = 6}));
+}
+
+TEST(Script, TiesFollowTheirBundles) {
+  const Hairstyle style = styleOf(
+      "scalp sphere 0.1 1 4\nextrude all 0.05 times 3\nselect first bundles 1..1\n"
+      "tie first at 2\nselect last bundles 3..3\ntie last\n"
+      "select gone bundles 0..0\ndelete gone times 4\n");
+  EXPECT_EQ(style.tied, (std::vector<std::uint32_t>{2, 0, 3}));
 }
 
 }  // namespace
