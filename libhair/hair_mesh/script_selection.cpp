@@ -173,8 +173,8 @@ SetOf readComparison(ScriptWords& words, const Quantity& quantity) {
 SetOf readSet(ScriptWords& words) {
   if (words.take("rim")) return [](const Workshop& w) { return rim(w.mesh()); };
   if (words.take("bundles")) {
-    const auto [first, last] = words.range("bundles", 0, 100'000'000);
-    return [first = first, last = last](const Workshop& w) {
+    const auto [least, greatest] = words.range("bundles", 0, 100'000'000);
+    return [first = least, last = greatest](const Workshop& w) {
       require(last < w.mesh().bundleCount(), "there is no bundle ", last, "; there are ",
               w.mesh().bundleCount(), ", from 0");
       BundleSet set(w.mesh().bundleCount(), 0);
