@@ -60,6 +60,15 @@ FrameTime frameTimeAt(const Clip& clip, double seconds) {
   return {static_cast<std::size_t>(whole), static_cast<float>(f - whole)};
 }
 
+// Beyond it, lengths of a body no longer add up in single precision.
+constexpr float kFarthest = 1e6f;  // metres
+
+void requireNear(glm::vec3 p, const Bvh::Joint& joint) {
+  for (int axis = 0; axis < 3; ++axis)
+    require(std::abs(p[axis]) <= kFarthest, "clip: joint ", joint.name, " is ", p[axis],
+            " m away from its parent, at most ", kFarthest, " m; check the scale");
+}
+
 }  // namespace
 
 Clip clipFromBvh(const Bvh& bvh, float scale) {
@@ -76,6 +85,7 @@ Clip clipFromBvh(const Bvh& bvh, float scale) {
   for (std::size_t b = 0; b < bvh.joints.size(); ++b) {
     const Bvh::Joint& joint = bvh.joints[b];
     const int parent = joint.parent < 0 ? -1 : jointOf[static_cast<std::size_t>(joint.parent)];
+    requireNear(scale * joint.offset, joint);
     if (joint.endSite) {
       if (parent >= 0) skeleton.tips[static_cast<std::size_t>(parent)] = scale * joint.offset;
       continue;
@@ -101,6 +111,7 @@ Clip clipFromBvh(const Bvh& bvh, float scale) {
         const int axis = axisOf(joint.channels[c]);
         if (isPosition(joint.channels[c])) {
           position[axis] = scale * value;
+          requireNear(position, joint);
         } else {
           // Channels turn the joint one after another about its own axes: first one outermost.
           glm::dvec3 direction(0);

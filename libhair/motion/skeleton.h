@@ -44,7 +44,8 @@ struct Clip {
 
 /// Any order of axes, any channels; position channels stand for the joint's place in its parent and
 /// so replace the offset (as mocap tools write them), on any joint. `scale` turns the file's unit
-/// into metres (most files: centimetres).
+/// into metres (most files: centimetres). Throws Error for a clip without joints or frames, and for
+/// joints beyond 1000 km of their parents.
 Clip clipFromBvh(const Bvh& bvh, float scale = 0.01f);
 
 /// Forward kinematics of one frame: worldFromJoint, [jointCount].

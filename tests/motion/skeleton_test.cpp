@@ -153,6 +153,17 @@ TEST(Skeleton, BadInputIsRefusedWithItsCause) {
   bvh.frameTime = 0;
   EXPECT_THROW(clipFromBvh(bvh), Error);
   EXPECT_THROW(resample(randomClip(2, 3), -1.0), Error);
+  // Bones of a light year, of which no radius of a capsule can be told.
+  bvh.frameTime = 1.0f / 30;
+  EXPECT_NO_THROW(clipFromBvh(bvh));
+  bvh.joints[1].offset.x = 1e20f;
+  try {
+    clipFromBvh(bvh);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(bvh.joints[1].name), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("check the scale"), std::string::npos);
+  }
 }
 
 TEST(LeadIn, AJumpFromACalibrationPoseIsSeenAndASteadyStartIsNot) {
