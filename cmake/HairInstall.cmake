@@ -4,8 +4,13 @@
 include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/hair")
 
+set(without_hair_mesh)
+if(NOT HAIR_WITH_HAIR_MESH)
+  set(without_hair_mesh PATTERN "hair_mesh" EXCLUDE)
+endif()
 install(DIRECTORY libhair DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT library
-  FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE PATTERN "script_*.h" EXCLUDE
+  ${without_hair_mesh})
 install(TARGETS hair EXPORT hairTargets COMPONENT library)
 install(EXPORT hairTargets NAMESPACE hair:: DESTINATION "${package_folder}" COMPONENT library)
 if(HAIR_WITH_MODEL)

@@ -1,5 +1,8 @@
 #include <apps/common/mesh_editor.h>
 
+#include <utility>
+
+#include <libhair/core/error.h>
 #include <libhair/hair_mesh/edit_history.h>
 #include <libhair/hair_mesh/exterior.h>
 
@@ -11,6 +14,7 @@ struct MeshEditor::State {
   InteriorPlacement interior;
   PlacementResult placement;
   std::vector<std::vector<std::uint8_t>> exterior;  // [layer][vertex]
+  bool moved = false;                               // since the last step of the history
 
   explicit State(MeshHair edited)
       : hair(std::move(edited)),
@@ -18,8 +22,10 @@ struct MeshEditor::State {
         interior(hair.mesh),
         exterior(exteriorVertices(hair.mesh)) {}
 
-  void follow() {
-    placement = interior.place(hair.mesh);
+  // To a step of the history: vertices inside stand where they stood.
+  void restore() {
+    hair.mesh = history.current();
+    moved = false;
     regrow(hair.mesh, hair.groups, hair.grown);
   }
 };
@@ -39,16 +45,21 @@ std::optional<HairMeshVertex> MeshEditor::pick(const glm::mat4& clipFromHead, gl
   for (std::uint32_t k = 1; k < mesh.layerCount(); ++k)
     for (std::uint32_t v = 0; v < mesh.layers[k].vertexCount(); ++v) {
       if (!state_->exterior[k][v]) continue;
-      const glm::vec4 clip = clipFromHead * glm::vec4(mesh.layers[k].positions[v], 1);
-      if (clip.w <= 0) continue;
-      const glm::vec2 ndc = glm::vec2(clip) / clip.w;
-      const glm::vec2 pixel = size * glm::vec2(0.5f + 0.5f * ndc.x, 0.5f - 0.5f * ndc.y);
-      if (glm::distance(pixel, cursor) > reach) continue;
-      if (picked && clip.w >= nearest) continue;
+      const float depth = (clipFromHead * glm::vec4(mesh.layers[k].positions[v], 1)).w;
+      if (depth <= 0 || glm::distance(pixelOf({k, v}, clipFromHead, size), cursor) > reach)
+        continue;
+      if (picked && depth >= nearest) continue;
       picked = {k, v};
-      nearest = clip.w;
+      nearest = depth;
     }
   return picked;
+}
+
+glm::vec2 MeshEditor::pixelOf(HairMeshVertex vertex, const glm::mat4& clipFromHead,
+                              glm::vec2 size) const {
+  const glm::vec3 p = state_->hair.mesh.layers[vertex.layer].positions[vertex.vertex];
+  const glm::vec4 clip = clipFromHead * glm::vec4(p, 1);
+  return size * (0.5f + 0.5f * glm::vec2(clip.x, -clip.y) / clip.w);
 }
 
 void MeshEditor::drag(HairMeshVertex vertex, const glm::mat4& clipFromHead, glm::vec2 size,
@@ -62,12 +73,30 @@ void MeshEditor::drag(HairMeshVertex vertex, const glm::mat4& clipFromHead, glm:
 }
 
 void MeshEditor::moveTo(HairMeshVertex vertex, glm::vec3 place) {
-  state_->hair.mesh.layers[vertex.layer].positions[vertex.vertex] = place;
-  state_->follow();
+  State& s = *state_;
+  require(vertex.layer < s.hair.mesh.layerCount() &&
+              vertex.vertex < s.hair.mesh.layers[vertex.layer].vertexCount(),
+          "hair mesh: there is no vertex ", vertex.vertex, " in layer ", vertex.layer);
+  glm::vec3& position = s.hair.mesh.layers[vertex.layer].positions[vertex.vertex];
+  const glm::vec3 before = std::exchange(position, place);
+  try {
+    s.placement = s.interior.place(s.hair.mesh);  // moves nothing if it throws
+  } catch (const Error&) {
+    position = before;
+    throw;
+  }
+  s.moved = true;
+  regrow(s.hair.mesh, s.hair.groups, s.hair.grown);
 }
 
 void MeshEditor::drop() {
+  if (!state_->moved) return;
   state_->history.apply([&](HairMesh& mesh) { mesh = state_->hair.mesh; });
+  state_->moved = false;
+}
+
+void MeshEditor::cancel() {
+  if (state_->moved) state_->restore();
 }
 
 bool MeshEditor::canUndo() const {
@@ -80,14 +109,12 @@ bool MeshEditor::canRedo() const {
 
 void MeshEditor::undo() {
   state_->history.undo();
-  state_->hair.mesh = state_->history.current();
-  state_->follow();
+  state_->restore();
 }
 
 void MeshEditor::redo() {
   state_->history.redo();
-  state_->hair.mesh = state_->history.current();
-  state_->follow();
+  state_->restore();
 }
 
 PlacementResult MeshEditor::placement() const {

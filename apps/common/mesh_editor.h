@@ -23,12 +23,19 @@ class MeshEditor {
   std::optional<HairMeshVertex> pick(const glm::mat4& clipFromHead, glm::vec2 size,
                                      glm::vec2 cursor, float reach = 12) const;
 
+  /// Where the vertex is in a picture, pixels.
+  glm::vec2 pixelOf(HairMeshVertex vertex, const glm::mat4& clipFromHead, glm::vec2 size) const;
+
   /// Moves the vertex to where the cursor is, as far from the eye as it was.
   void drag(HairMeshVertex vertex, const glm::mat4& clipFromHead, glm::vec2 size, glm::vec2 cursor);
-  /// Moves the vertex, head space, metres.
+  /// Moves the vertex, head space, metres. Throws Error, and leaves all as it was, for a vertex
+  /// that there is not and a place that is not finite.
   void moveTo(HairMeshVertex vertex, glm::vec3 place);
-  /// Ends a drag: a step of the history.
+  /// Ends a drag: a step of the history, if anything has moved.
   void drop();
+
+  /// Takes back what has moved since the last step of the history.
+  void cancel();
 
   bool canUndo() const;
   bool canRedo() const;

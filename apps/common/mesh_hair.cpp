@@ -13,15 +13,19 @@ namespace hair {
 
 namespace {
 
-// So many strands in all, each group its share.
-void askFor(std::uint32_t strands, std::vector<StrandGroup>& groups) {
-  double all = 0;
-  for (const StrandGroup& group : groups) all += group.strands;
-  for (StrandGroup& group : groups) {
-    const double share = strands * (group.strands / all);
-    group.strands = static_cast<std::uint32_t>(std::max(1.0, std::round(share)));
-    group.perSquareMetre = 0;
+// So many strands in all, each group the share that it has; the rest is the first group's.
+void askFor(std::uint32_t strands, MeshHair& hair) {
+  const double all = static_cast<double>(hair.grown.strands.strandCount());
+  std::uint32_t left = strands;
+  for (std::size_t g = hair.groups.size(); g-- > 0;) {
+    const double share = static_cast<double>(hair.grown.roots[g].rootCount()) / all;
+    const auto asked = static_cast<std::uint32_t>(std::round(strands * share));
+    hair.groups[g].strands = g > 0 ? std::min(left, asked) : left;
+    hair.groups[g].perSquareMetre = 0;
+    left -= hair.groups[g].strands;
   }
+  std::erase_if(hair.groups, [](const StrandGroup& group) { return group.strands == 0; });
+  hair.grown = growHair(hair.mesh, hair.groups);
 }
 
 Hairstyle styleOf(const SubjectOptions& options) {
@@ -44,10 +48,10 @@ MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& n
     notes.push_back(text(name, ": no groups of strands; ", hair.groups.front().strands,
                          " without styling (--strands asks for others)"));
   }
-  if (options.strands > 0) askFor(options.strands, hair.groups);
   if (options.points > 0)
     for (StrandGroup& group : hair.groups) group.points = options.points;
   hair.grown = growHair(hair.mesh, hair.groups);
+  if (options.strands > 0) askFor(options.strands, hair);
   notes.push_back(text(name, ": ", hair.mesh.vertexCount(), " vertices in ", hair.mesh.layerCount(),
                        " layers, ", hair.mesh.bundleCount(), " bundles; ",
                        hair.grown.strands.strandCount(), " strands"));

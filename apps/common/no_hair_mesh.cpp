@@ -31,9 +31,13 @@ std::optional<HairMeshVertex> MeshEditor::pick(const glm::mat4&, glm::vec2, glm:
                                                float) const {
   return {};
 }
+glm::vec2 MeshEditor::pixelOf(HairMeshVertex, const glm::mat4&, glm::vec2) const {
+  return {};
+}
 void MeshEditor::drag(HairMeshVertex, const glm::mat4&, glm::vec2, glm::vec2) {}
 void MeshEditor::moveTo(HairMeshVertex, glm::vec3) {}
 void MeshEditor::drop() {}
+void MeshEditor::cancel() {}
 bool MeshEditor::canUndo() const {
   return false;
 }

@@ -181,10 +181,8 @@ void Staging::updateHairMesh() {
   scene.meshes.resize(2 + performance_.subject.eyes.size());
   if (!asked || !performance_.subject.mesh) return;
   if (!hairMesh_) hairMesh_.emplace(performance_.subject.mesh->mesh);
-  if (edited)
-    hairMesh_->place(*edited, performance_.pose.worldFromHead);
-  else
-    hairMesh_->follow(performance_.hair);
+  if (edited) hairMesh_->place(*edited, performance_.pose.worldFromHead);
+  if (!editing) hairMesh_->follow(performance_.hair);
   if (shown.mesh || shown.meshInside) hairMesh_->drawLines(shown.meshInside, scene.debug);
   if (!surface) return;
   hairSurface_ = hairMesh_->surface();

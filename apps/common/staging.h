@@ -46,8 +46,10 @@ class Staging {
 
   draw::Scene scene;  ///< camera, lights and ground may be changed between updates
   InternalsShown shown;
-  /// The hair mesh while it is edited, head space: shown instead of where its chains are.
+  /// The hair mesh as it was edited, head space; null: as it was grown. While `editing` it is shown
+  /// where it stands, else where its chains are.
   const HairMesh* edited = nullptr;
+  bool editing = false;
   bool follow = true;
   bool headShadowsHair = true;
 

@@ -93,6 +93,7 @@ struct Readout {
   std::vector<std::string> notes;  ///< on loading
   bool hasMesh = false;            ///< the hair was grown in a hair mesh
   bool canUndo = false, canRedo = false;
+  std::string editFailure;                ///< why the last edit was taken back; or empty
   double editMilliseconds = 0;            ///< that the last edit took, all of it
   std::uint32_t placementIterations = 0;  ///< of conjugate gradients, for interior vertices
   History history;

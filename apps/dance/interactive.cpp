@@ -84,6 +84,8 @@ void Interactive::grow() {
     if (show_) next->takeOver(show_->staging.scene);
     show_ = std::move(next);
     readout_.failure.clear();
+    controls_.editMesh = editing_ = false;  // its mesh, if it has one, is another
+    window_.holdDrag(false);
     readout_.history = {};
     pace_ = Pace(options_.performance.fps);
     readout_.grown = controls_.growth;

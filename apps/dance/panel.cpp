@@ -200,6 +200,7 @@ void drawMesh(Controls& c, const Readout& r, Requests& requests) {
   ImGui::BeginDisabled(!r.canRedo);
   requests.redo = ImGui::Button("redo");
   ImGui::EndDisabled();
+  if (!r.editFailure.empty()) ImGui::TextWrapped("%s", r.editFailure.c_str());
   if (r.editMilliseconds > 0)
     ImGui::Text("last edit: %.1f ms, %u iterations", r.editMilliseconds, r.placementIterations);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <libhair/between_frames.h>
+#include <libhair/core/error.h>
 
 namespace hair {
 
@@ -63,7 +64,8 @@ void Show::apply(const Controls& c) {
   staging.headShadowsHair = c.headShadowsHair;
   staging.follow = c.follow;
   staging.shown = c.internals;
-  staging.edited = c.editMesh && editor_ ? &editor_->hair().mesh : nullptr;
+  staging.edited = editor_ ? &editor_->hair().mesh : nullptr;
+  staging.editing = c.editMesh;
   staging.scene.debug.onTop = c.internalsOnTop;
   staging.scene.ground.visible = c.ground;
   staging.scene.hair[0].primitive = c.primitive;
@@ -98,18 +100,13 @@ void Show::takeOver(const draw::Scene& before) {
   staging.scene.lights = before.lights;
 }
 
-// Makes an edit, and hair of what it leaves.
-template <class Edit>
-void Show::change(Edit edit) {
-  const auto start = std::chrono::steady_clock::now();
-  edit();
+// Hair of what an edit leaves.
+void Show::follow() {
   Hair& hair = performance.hair;
   Groom& next = edited_[hair.groom == &edited_[0] ? 1 : 0];
   next = groomOf(editor_->hair());
   changeGroom(next, performance.settings, hair);
   rest();
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-  editMilliseconds_ = took.count();
 }
 
 void Show::rest() {
@@ -123,10 +120,29 @@ bool Show::edit(const draw::Pointer& pointer, glm::vec2 size) {
   const draw::Camera& camera = staging.scene.camera;
   const glm::mat4 clipFromHead = camera.clipFromView(size.x / size.y) * camera.viewFromWorld() *
                                  matrixOf(performance.pose.worldFromHead);
-  if (pointer.pressed) dragged_ = editor_->pick(clipFromHead, size, pointer.at);
+  if (pointer.pressed) {
+    dragged_ = editor_->pick(clipFromHead, size, pointer.at);
+    if (dragged_) grip_ = editor_->pixelOf(*dragged_, clipFromHead, size) - pointer.at;
+    cursor_ = pointer.at;
+  }
   if (!dragged_) return false;
-  if (pointer.down && !pointer.pressed)
-    change([&] { editor_->drag(*dragged_, clipFromHead, size, pointer.at); });
+  if (pointer.at != cursor_) {
+    const auto start = std::chrono::steady_clock::now();
+    cursor_ = pointer.at;
+    try {
+      editor_->drag(*dragged_, clipFromHead, size, cursor_ + grip_);
+      follow();
+      editFailure_.clear();
+    } catch (const Error& error) {  // what cannot be simulated, as a chain without length
+      editFailure_ = error.what();
+      editor_->cancel();
+      dragged_.reset();
+      follow();
+      return false;
+    }
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    editMilliseconds_ = took.count();
+  }
   if (!pointer.down) {
     editor_->drop();
     dragged_.reset();
@@ -135,11 +151,13 @@ bool Show::edit(const draw::Pointer& pointer, glm::vec2 size) {
 }
 
 void Show::undo() {
-  change([&] { editor_->undo(); });
+  editor_->undo();
+  follow();
 }
 
 void Show::redo() {
-  change([&] { editor_->redo(); });
+  editor_->redo();
+  follow();
 }
 
 void Show::report(Readout& r) const {
@@ -161,6 +179,7 @@ void Show::report(Readout& r) const {
   r.canUndo = editor_ && editor_->canUndo();
   r.canRedo = editor_ && editor_->canRedo();
   r.editMilliseconds = editMilliseconds_;
+  r.editFailure = editFailure_;
   r.placementIterations = editor_ ? editor_->placement().iterations : 0;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <apps/common/mesh_editor.h>
 #include <apps/dance/controls.h>
@@ -43,11 +44,12 @@ class Show {
   ProfileLog drawn;  ///< of the frames whose drawing was timed
 
  private:
-  template <class Edit>
-  void change(Edit edit);
+  void follow();
 
   std::unique_ptr<MeshEditor> editor_;  // once the mesh has been edited
   std::optional<HairMeshVertex> dragged_;
+  glm::vec2 grip_{0}, cursor_{0};  // from the cursor to the dragged vertex, and where it was last
+  std::string editFailure_;
   std::array<Groom, 2> edited_;  // the hair's own, and the next
   double editMilliseconds_ = 0;
   Controls applied_;

@@ -70,6 +70,15 @@ MeasuredHair fromFile(const MeasureOptions& options) {
   return hair;
 }
 
+MeasuredHair fromMesh(const MeasureOptions& options) {
+  MeasuredHair hair;
+  hair.name = options.subject.hair.filename().string();
+  hair.strands = growMeshHair(options.subject, hair.notes).grown.strands;
+  hair.fibre.width = kHairWidth;
+  hair.fibre.hairsPerStrand = 1;
+  return hair;
+}
+
 MeasuredHair fromStyle(const MeasureOptions& options) {
   SubjectOptions still = options.subject;
   still.still = true;
@@ -100,7 +109,10 @@ MeasuredHair::Origin MeasuredHair::origin(std::uint32_t strand, std::uint32_t po
 }
 
 MeasuredHair measuredHair(const MeasureOptions& options) {
-  MeasuredHair hair = options.subject.hair.empty() ? fromStyle(options) : fromFile(options);
+  const auto& file = options.subject.hair;
+  MeasuredHair hair = file.empty()       ? fromStyle(options)
+                      : isHairMesh(file) ? fromMesh(options)
+                                         : fromFile(options);
   validate(hair.strands, hair.name, 2);
   if (options.width > 0) {
     hair.fibre.width = options.width;

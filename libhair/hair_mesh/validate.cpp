@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <libhair/core/error.h>
 #include <libhair/core/openmesh-inl.h>
@@ -55,6 +56,7 @@ std::string wrongArrays(const HairMesh& mesh, std::size_t k) {
 
 std::string wrongCorners(const HairMesh& mesh, std::size_t k) {
   const std::size_t vertices = mesh.layers[k].vertexCount();
+  std::vector<std::size_t> lastIn(vertices, mesh.bundleCount());  // of each vertex, the bundle
   for (std::size_t j = 0; j < mesh.bundleCount(); ++j) {
     const auto face = mesh.face(k, j);
     for (std::size_t i = 0; i < face.size(); ++i) {
@@ -62,8 +64,7 @@ std::string wrongCorners(const HairMesh& mesh, std::size_t k) {
       if (face[i] >= vertices)
         return text("layer ", k, ", face of bundle ", j, ": corner ", i, " is vertex ", face[i],
                     " of ", vertices);
-      if (std::find(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(i), face[i]) !=
-          face.begin() + static_cast<std::ptrdiff_t>(i))
+      if (std::exchange(lastIn[face[i]], j) == j)
         return text("layer ", k, ", face of bundle ", j, ": vertex ", face[i], " is in it twice");
     }
   }

@@ -110,8 +110,9 @@ void fillWisps(const StyleSettings& settings, const MeshSdf* headSdf, std::uint3
     guideLength[i] = arcLength(groom.guide(i));
   }
 
-  std::vector<std::uint8_t> parted(groom.guideCount() / 3);
-  for (std::uint32_t w = 0; w < parted.size(); ++w) parted[w] = guidesPart(groom, w);
+  std::vector<std::uint8_t> parted(groom.guideCount() / guidesPerWisp);
+  for (std::uint32_t w = 0; guidesPerWisp == 3 && w < parted.size(); ++w)
+    parted[w] = guidesPart(groom, w);
 
   parallelFor(strands, 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {

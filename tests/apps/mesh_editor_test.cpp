@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <apps/draw/camera.h>
+#include <libhair/core/error.h>
 #include <libhair/hair_mesh/exterior.h>
 #include <libhair/hair_mesh/surface.h>
 #include <tests/hair_mesh/sample_meshes.h>
@@ -77,8 +78,6 @@ TEST(MeshEditor, InteriorVerticesAndStrandsFollowAndComeBackWithUndo) {
     return editor.hair().mesh.layers[v.layer].positions[v.vertex];
   };
   const glm::vec3 place = at(outside);
-  editor.moveTo(outside, place);  // interior vertices come to lie where they belong
-  editor.drop();
   const MeshHair before = editor.hair();
   const glm::vec3 insideBefore = at(inside);
   editor.moveTo(outside, place + glm::vec3(-0.02f, 0.01f, -0.02f));
@@ -89,13 +88,27 @@ TEST(MeshEditor, InteriorVerticesAndStrandsFollowAndComeBackWithUndo) {
 
   editor.undo();
   EXPECT_EQ(at(outside), place);
-  for (std::size_t p = 0; p < before.grown.strands.pointCount(); ++p)
-    ASSERT_LT(glm::distance(editor.hair().grown.strands.points[p], before.grown.strands.points[p]),
-              1e-6f);
+  EXPECT_EQ(at(inside), insideBefore);
+  EXPECT_EQ(editor.hair().grown.strands.points, before.grown.strands.points);
   EXPECT_TRUE(editor.canRedo());
   editor.redo();
   EXPECT_FALSE(editor.canRedo());
   EXPECT_NE(at(outside), place);
+}
+
+TEST(MeshEditor, AClickIsNoStepAndWhatCannotBeIsTakenBack) {
+  MeshEditor editor(sample());
+  editor.drop();
+  EXPECT_FALSE(editor.canUndo());
+  const std::vector<glm::vec3> before = editor.hair().grown.strands.points;
+  EXPECT_THROW(editor.moveTo({1, 0}, {NAN, 0, 0}), Error);
+  EXPECT_THROW(editor.moveTo({9, 0}, {0, 0, 0}), Error);
+  EXPECT_EQ(editor.hair().grown.strands.points, before);
+  editor.moveTo({1, 0}, {0, 0.2f, 0});
+  EXPECT_NE(editor.hair().grown.strands.points, before);
+  editor.cancel();
+  EXPECT_EQ(editor.hair().grown.strands.points, before);
+  EXPECT_FALSE(editor.canUndo());
 }
 
 }  // namespace
