@@ -21,6 +21,8 @@ ScalpDensity densityOf(const std::filesystem::path& picture, const HairMesh& mes
   if (picture.empty()) return {};
   draw::Mask mask = draw::readMask(picture);
   const Bounds scalp = bounds(mesh.layers.front().positions);
+  require(scalp.lower.x < scalp.upper.x && scalp.lower.z < scalp.upper.z,
+          "--density: seen from above the scalp has no area");
   return DensityImage{static_cast<std::uint32_t>(mask.width),
                       static_cast<std::uint32_t>(mask.height),
                       std::move(mask.values),

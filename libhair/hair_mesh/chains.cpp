@@ -40,8 +40,12 @@ void followGuides(const HairMesh& rest, const HairMeshChains& chains,
   require(pointsPerGuide >= 2 && guidePoints.size() == chains.chainCount() * pointsPerGuide,
           "followGuides: ", guidePoints.size(), " points for ", chains.chainCount(), " chains of ",
           pointsPerGuide);
-  require(moved.layerCount() == rest.layerCount() && moved.vertexCount() == rest.vertexCount(),
-          "followGuides: the moved mesh has another topology");
+  require(moved.layerCount() == rest.layerCount(), "followGuides: the moved mesh has ",
+          moved.layerCount(), " layers instead of ", rest.layerCount());
+  for (std::size_t k = 0; k < rest.layerCount(); ++k)
+    require(moved.layers[k].vertexCount() == rest.layers[k].vertexCount(), "followGuides: layer ",
+            k, " of the moved mesh has ", moved.layers[k].vertexCount(), " vertices instead of ",
+            rest.layers[k].vertexCount());
   std::vector<std::vector<float>> shares;  // [layer][vertex], chains so far
   for (std::size_t k = 0; k < rest.layerCount(); ++k) {
     shares.emplace_back(rest.layers[k].vertexCount(), 0.0f);

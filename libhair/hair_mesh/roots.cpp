@@ -226,6 +226,11 @@ HairMeshRoots placeRoots(const HairMesh& mesh, const RootSettings& settings,
 }
 
 void validate(const HairMeshRoots& roots, const HairMesh& mesh) {
+  const std::size_t count = roots.bundle.size();
+  require(roots.number.size() == count && roots.positions.size() == count &&
+              roots.firstWeight.size() == count + 1 && !roots.firstRoot.empty() &&
+              roots.firstRoot.back() == count && roots.firstWeight.back() == roots.weights.size(),
+          "roots: ", count, " roots, but arrays of other sizes");
   const bool bundles = roots.firstRoot.size() == mesh.bundleCount() + 1;
   require(bundles, "roots: placed on ", roots.firstRoot.size() - 1, " bundles, but the mesh has ",
           mesh.bundleCount(), "; place them again");

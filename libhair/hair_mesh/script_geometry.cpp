@@ -180,7 +180,7 @@ ScriptStep readPin(ScriptWords& words) {
 ScriptStep readPlace(ScriptWords&) {
   return [](Workshop& w) {
     w.selected("all");
-    placeInterior(w.mesh());
+    w.place();
   };
 }
 

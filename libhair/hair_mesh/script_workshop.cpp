@@ -57,8 +57,18 @@ void Workshop::renumber(std::span<const std::uint32_t> from) {
   follow(sector);
 }
 
+void Workshop::place() {
+  // An iteration is a pass over the mesh too.
+  const std::size_t corners = std::max<std::size_t>(usedCorners(mesh()), 1);
+  const std::size_t left = limits.work > work ? limits.work - work : 0;
+  PlacementSettings settings;
+  settings.maxIterations =
+      static_cast<std::uint32_t>(std::clamp<std::size_t>(left / corners, 1, 10'000));
+  work += placeInterior(mesh(), settings).iterations * corners;
+}
+
 void Workshop::afterGeometry() {
-  if (autoPlace) placeInterior(mesh());
+  if (autoPlace) place();
 }
 
 std::size_t usedCorners(const HairMesh& mesh) {

@@ -53,7 +53,9 @@ struct Workshop {
   /// What is said of bundles follows them: the new bundle b was, or is part of, from[b].
   void renumber(std::span<const std::uint32_t> from);
 
-  /// Interior vertices, unless the script places them itself.
+  /// Interior vertices, with no more iterations than the script has work left for.
+  void place();
+  /// The same, unless the script places them itself.
   void afterGeometry();
 };
 

@@ -69,10 +69,9 @@ void separateEdges(std::size_t layer, std::span<const HairMeshEdge> cuts, HairMe
       require(cut.back().isInner(), "layer ", layer, ": edge ", named.a, "-", named.b,
               " has a face on one side only, there is nothing to separate");
     }
-    std::erase_if(edges, [&](const LayerEdge& edge) {
-      return std::any_of(cut.begin(), cut.end(),
-                         [&](const LayerEdge& c) { return c.corner == edge.corner; });
-    });
+    std::vector<std::uint8_t> isCut(m.cornerCount(), 0);
+    for (const LayerEdge& c : cut) isCut[c.corner] = 1;
+    std::erase_if(edges, [&](const LayerEdge& edge) { return isCut[edge.corner] != 0; });
     const auto fans = fansOf(table, edges, m.layers[layer].corners);
     for (const LayerEdge& c : cut)
       require(fans[c.corner] != fans[table.next[c.other]] ||
@@ -90,14 +89,19 @@ void separateVertices(std::size_t layer, std::span<const std::uint32_t> vertices
   editCopy(mesh, [&](HairMesh& m) {
     requireLayer(m, layer);
     const std::vector<std::uint32_t>& corners = m.layers[layer].corners;
-    std::vector<std::uint32_t> parts(corners.size(), 0);
+    std::vector<std::uint32_t> faces(m.layers[layer].vertexCount(), 0);
+    for (const std::uint32_t v : corners)
+      if (v != kNoVertex) ++faces[v];
+    std::vector<std::uint8_t> named(faces.size(), 0);
     for (const std::uint32_t v : vertices) {
       requireVertex(m, layer, v);
-      require(std::count(corners.begin(), corners.end(), v) > 1, "layer ", layer, ": vertex ", v,
+      require(faces[v] > 1, "layer ", layer, ": vertex ", v,
               " has one face only, there is nothing to separate");
-      for (std::uint32_t c = 0; c < corners.size(); ++c)
-        if (corners[c] == v) parts[c] = c;
+      named[v] = 1;
     }
+    std::vector<std::uint32_t> parts(corners.size(), 0);
+    for (std::uint32_t c = 0; c < corners.size(); ++c)
+      if (corners[c] != kNoVertex && named[corners[c]]) parts[c] = c;
     rejoin(layer, m, parts);
     rejoinFrom(layer + 1, m);
   });

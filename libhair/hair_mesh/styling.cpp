@@ -207,22 +207,22 @@ void style(const HairMesh& mesh, const HairMeshRoots& roots, const StylingSettin
 void regrow(const HairMesh& mesh, std::span<const StrandGroup> groups, GrownHair& hair) {
   require(groups.size() == hair.roots.size(), "hair of ", hair.roots.size(), " groups, not ",
           groups.size(), "; grow it anew");
-  hair.strands.points.clear();
-  hair.strands.first.assign(1, 0);
-  hair.group.clear();
+  StrandSet grown;
+  std::vector<std::uint32_t> group;
   StrandSet strands;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     traceStrands(mesh, hair.roots[g], groups[g].points, strands);
     style(mesh, hair.roots[g], groups[g].styling, groups[g].seed, strands);
-    require(hair.strands.points.size() + strands.points.size() <= 0xffffffffu, "hair of ",
-            groups.size(), " groups has more points than 32 bits count; grow fewer");
-    const auto offset = static_cast<std::uint32_t>(hair.strands.points.size());
-    hair.strands.points.insert(hair.strands.points.end(), strands.points.begin(),
-                               strands.points.end());
+    require(grown.points.size() + strands.points.size() <= 0xffffffffu, "hair of ", groups.size(),
+            " groups has more points than 32 bits count; grow fewer");
+    const auto offset = static_cast<std::uint32_t>(grown.points.size());
+    grown.points.insert(grown.points.end(), strands.points.begin(), strands.points.end());
     for (std::size_t s = 1; s < strands.first.size(); ++s)
-      hair.strands.first.push_back(offset + strands.first[s]);
-    hair.group.insert(hair.group.end(), strands.strandCount(), static_cast<std::uint32_t>(g));
+      grown.first.push_back(offset + strands.first[s]);
+    group.insert(group.end(), strands.strandCount(), static_cast<std::uint32_t>(g));
   }
+  hair.strands = std::move(grown);
+  hair.group = std::move(group);
 }
 
 GrownHair growHair(const HairMesh& mesh, std::span<const StrandGroup> groups,

@@ -58,7 +58,7 @@ GrownHair growHair(const HairMesh& mesh, std::span<const StrandGroup> groups,
                    const ScalpDensity& density = {});
 
 /// Traces and styles again from the roots there are: after an edit of places. Throws Error as
-/// traceStrands does where the edit was one of topology.
+/// traceStrands does where the edit was one of topology, and leaves the hair as it was.
 void regrow(const HairMesh& mesh, std::span<const StrandGroup> groups, GrownHair& hair);
 
 }  // namespace hair
