@@ -8,13 +8,17 @@ namespace {
 
 std::atomic<std::size_t> count{0}, largest{0};
 
-void* counted(std::size_t size, std::size_t alignment) {
+void* countedOrNull(std::size_t size, std::size_t alignment) {
   ++count;
   std::size_t seen = largest;
   while (seen < size && !largest.compare_exchange_weak(seen, size)) {
   }
   const std::size_t room = (size + alignment - 1) / alignment * alignment;
-  if (void* block = std::aligned_alloc(alignment, room > 0 ? room : alignment)) return block;
+  return std::aligned_alloc(alignment, room > 0 ? room : alignment);
+}
+
+void* counted(std::size_t size, std::size_t alignment) {
+  if (void* block = countedOrNull(size, alignment)) return block;
   throw std::bad_alloc();
 }
 
@@ -34,7 +38,11 @@ void resetLargestAllocation() {
 
 }  // namespace hair::test
 
-// The sizes of arrays and of the nothrow forms arrive here too: the library's forward to these.
+// The sizes of arrays arrive here too: the library's forward to these. So do those of the nothrow
+// form, but not a sanitizer's, which must not meet our delete.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return countedOrNull(size, alignof(std::max_align_t));
+}
 void* operator new(std::size_t size) {
   return counted(size, alignof(std::max_align_t));
 }

@@ -1,5 +1,7 @@
 #include <libhair/motion/landmarks.h>
 
+#include <libhair/core/transform.h>
+
 namespace hair {
 namespace {
 
@@ -17,6 +19,12 @@ glm::vec3 childrenOf(const Body& body, int joint) {
     count += 1.0f;
   }
   return count > 0 ? sum / count : sum;
+}
+
+/// Of unit length; `otherwise` where v is no direction (a bone without length).
+glm::vec3 directionOf(glm::vec3 v, glm::vec3 otherwise) {
+  const float length = glm::length(v);
+  return length > 1e-12f ? v / length : otherwise;
 }
 
 }  // namespace
@@ -38,14 +46,15 @@ Landmarks landmarksOf(const Body& body) {
     m.elbow[s] = at(map.foreArm[s]);
     m.wrist[s] = at(map.hand[s]);
     glm::vec3 along = childrenOf(body, map.hand[s]);
-    const glm::vec3 forearm = glm::normalize(m.wrist[s] - m.elbow[s]);
+    const glm::vec3 outwards(s == 0 ? 1.0f : -1.0f, 0, 0);  // as arms in the rest stance
+    const glm::vec3 forearm = directionOf(m.wrist[s] - m.elbow[s], outwards);
     along = glm::length(along) > 0.01f * m.size ? glm::normalize(along) : forearm;
     // Thumbs pull the mean of the fingers aside.
-    along = glm::normalize(along + forearm);
+    along = directionOf(along + forearm, forearm);
     m.knuckles[s] = m.wrist[s] + 0.085f * m.size * along;
     m.fingertips[s] = m.wrist[s] + 0.165f * m.size * along;
     const glm::vec3 flat(0, 0, 1);
-    m.handFlat[s] = glm::normalize(flat - glm::dot(flat, along) * along);
+    m.handFlat[s] = directionOf(flat - glm::dot(flat, along) * along, anyNormal(along));
 
     m.toes[s] = map.foot[s];
     for (std::size_t j = body.skeleton.jointCount(); j-- > 0;)

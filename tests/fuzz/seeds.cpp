@@ -46,7 +46,8 @@ std::vector<std::string> dataSeeds() {
 
 // Somebody with a name for every part, in some order of channels; positions on every joint or on
 // the hips alone; frames that jump at the start and flip in the middle.
-std::string person(bool otherNames, bool positions, const char* neck = "0 15 0") {
+std::string person(bool otherNames, bool positions, const char* neck = "0 15 0",
+                   const char* leftHand = "25 0 0") {
   struct Part {
     const char *name, *otherName;
     int depth;
@@ -59,7 +60,7 @@ std::string person(bool otherNames, bool positions, const char* neck = "0 15 0")
                          {"Head", "head", 4, "0 10 0"},
                          {"LeftArm", "lShldr", 3, "15 10 0"},
                          {"LeftForeArm", "lForeArm", 4, "28 0 0"},
-                         {"LeftHand", "lHand", 5, "25 0 0"},
+                         {"LeftHand", "lHand", 5, leftHand},
                          {"RightArm", "rShldr", 3, "-15 10 0"},
                          {"RightForeArm", "rForeArm", 4, "-28 0 0"},
                          {"RightHand", "rHand", 5, "-25 0 0"},
@@ -205,9 +206,11 @@ std::vector<FuzzSeeds> fuzzSeeds() {
           {"tfx", tfxSeeds()},
           {"data", dataSeeds()},
           {"bvh", {sampleBvh(), person(false, false)}},
-          // A neck that leaves sideways once gave a head that was turned nowhere.
+          // A neck that leaves sideways once gave a head that was turned nowhere, and a forearm
+          // without length a hand that was nowhere.
           {"clip",
-           {person(false, false), person(true, true), person(true, true, "41 0 0"), sampleBvh()}},
+           {person(false, false), person(true, true), person(true, true, "41 0 0"),
+            person(false, true, "0 15 0", "0 0 0"), sampleBvh()}},
           {"obj", objSeeds()},
           {"mesh", meshSeeds()},
           {"script", scriptSeeds()},
