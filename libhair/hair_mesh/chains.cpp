@@ -11,6 +11,7 @@ HairMeshChains chainsOf(const HairMesh& mesh) {
   HairMeshChains chains;
   chains.chainOfCorner.assign(mesh.cornerCount(), kNoVertex);
   std::vector<std::vector<std::uint32_t>> chainAt;  // [layer][vertex]
+  chainAt.reserve(mesh.layerCount());
   for (const HairMesh::Layer& layer : mesh.layers)
     chainAt.emplace_back(layer.vertexCount(), kNoVertex);
 
@@ -47,6 +48,7 @@ void followGuides(const HairMesh& rest, const HairMeshChains& chains,
             k, " of the moved mesh has ", moved.layers[k].vertexCount(), " vertices instead of ",
             rest.layers[k].vertexCount());
   std::vector<std::vector<float>> shares;  // [layer][vertex], chains so far
+  shares.reserve(rest.layerCount());
   for (std::size_t k = 0; k < rest.layerCount(); ++k) {
     shares.emplace_back(rest.layers[k].vertexCount(), 0.0f);
     std::fill(moved.layers[k].positions.begin(), moved.layers[k].positions.end(), glm::vec3(0));
