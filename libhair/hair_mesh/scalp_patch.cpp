@@ -97,6 +97,7 @@ PolygonMesh headScalp(const ScalpPatch& patch, const Parting& parting) {
           "scalp: a parting at x = ", parting.x, " that ends at z = ", parting.whorlZ,
           " is not on top of the head (|x| <= 0.05, |z| <= 0.06)");
   std::vector<Meridian> meridians;
+  meridians.reserve(patch.sectors);
   for (std::uint32_t s = 0; s < patch.sectors; ++s) meridians.emplace_back(patch, parting, s);
   std::vector<float> hairlines(patch.sectors);
   parallelFor(patch.sectors, 1, [&](std::size_t begin, std::size_t end) {
