@@ -5,6 +5,7 @@
 #include <cmath>
 #include <istream>
 #include <ostream>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -143,7 +144,8 @@ std::size_t bodySize(const Header& h, std::size_t links) {
 template <class T>
 void requireWithin(const std::vector<T>& values, float least, float most, const char* what) {
   const auto* numbers = reinterpret_cast<const float*>(values.data());
-  for (std::size_t i = 0; i < values.size() * (sizeof(T) / sizeof(float)); ++i)
+  const std::size_t count = std::span(values).size_bytes() / sizeof(float);
+  for (std::size_t i = 0; i < count; ++i)
     require(numbers[i] >= least && numbers[i] <= most, kName, ": ", what, ' ', numbers[i],
             " is not in ", least, " to ", most, " (damaged)");
 }

@@ -49,6 +49,7 @@ std::vector<glm::vec3> besideVertices(const HairMesh& mesh, std::size_t layer) {
     for (const std::uint32_t v : mesh.face(layer, j)) sum[v] += centre;
   }
   std::vector<glm::vec3> middle;
+  middle.reserve(sum.size());
   for (const glm::vec4 s : sum) middle.emplace_back(glm::vec3(s) / s.w);
   return middle;
 }

@@ -13,7 +13,7 @@ namespace hair {
 
 namespace {
 
-void setScalp(Workshop& w, PolygonMesh scalp) {
+void setScalp(Workshop& w, const PolygonMesh& scalp) {
   require(w.mesh().bundleCount() == 0, "there is a scalp already");
   require(scalp.corners.size() <= w.limits.corners, "the scalp has ", scalp.corners.size(),
           " corners of faces, at most ", w.limits.corners);

@@ -58,7 +58,7 @@ std::vector<HairMeshLine> linesOf(const HairMesh& mesh) {
     for (std::size_t j = 0; j < mesh.bundleCount(); ++j)
       if (mesh.lastLayer[j] >= k)
         for (std::uint32_t c = mesh.firstCorner[j]; c < mesh.firstCorner[j + 1]; ++c)
-          edges.push_back(std::minmax(corners[c], corners[mesh.nextCorner(j, c)]));
+          edges.emplace_back(std::minmax(corners[c], corners[mesh.nextCorner(j, c)]));
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const auto& [a, b] : edges) lines.push_back({{k, a}, {k, b}});

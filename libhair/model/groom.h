@@ -34,9 +34,8 @@ struct Fibre {
 struct Groom {
   std::uint32_t pointsPerGuide = 16;   ///< root and tip included, >= 2
   std::vector<glm::vec3> guidePoints;  ///< [guideCount · pointsPerGuide], root first
-  /// [guideCount], or empty: points from the root on that are tied to the head, 1 (or 0) for the
-  /// root alone. They start each substep at their places on it; what touches them there may still
-  /// push them out of itself.
+  /// [guideCount], or empty: points from the root on that are tied to the head and keep their
+  /// places on it, 1 (or 0) for the root alone.
   std::vector<std::uint32_t> tied;
 
   std::vector<std::uint32_t> first = {0};  ///< [strandCount + 1], as in StrandView
