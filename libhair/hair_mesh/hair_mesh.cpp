@@ -10,6 +10,11 @@ std::size_t HairMesh::vertexCount() const {
   return count;
 }
 
+std::uint32_t rootOf(const HairMesh& mesh, std::size_t layer, std::uint32_t vertex) {
+  for (std::size_t k = layer; k > 0; --k) vertex = mesh.layers[k].below[vertex];
+  return vertex;
+}
+
 HairMesh makeHairMesh(const PolygonMesh& scalp) {
   HairMesh mesh;
   mesh.firstCorner = scalp.firstCorner;

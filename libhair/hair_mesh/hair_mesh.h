@@ -78,6 +78,9 @@ struct HairMeshVertex {
   bool operator==(const HairMeshVertex&) const = default;
 };
 
+/// The vertex of the scalp that a vertex of `layer` stands on.
+std::uint32_t rootOf(const HairMesh& mesh, std::size_t layer, std::uint32_t vertex);
+
 /// The root layer alone: every face of the scalp is a bundle without length (n_j = 0). Vertices
 /// that no face uses are left out. Throws Error if the result is not valid (validate).
 HairMesh makeHairMesh(const PolygonMesh& scalp);

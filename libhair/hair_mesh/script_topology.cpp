@@ -1,5 +1,6 @@
 // A line for each topological operation (operations.h).
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include <libhair/core/error.h>
@@ -250,39 +251,38 @@ ScriptStep readSeparateVertices(ScriptWords& words) {
   };
 }
 
-// separate-edge LAYER A B | weld-vertices LAYER A B | weld-edges LAYER A B C D: by numbers
-ScriptStep readSeparateEdge(ScriptWords& words) {
+// OPERATION LAYER A B ...: on vertices of one layer, by their numbers.
+template <std::size_t kCount, class Operation>
+ScriptStep onVertices(ScriptWords& words, Operation operation) {
   const std::uint32_t layer = words.whole("layer", 1, kMostLayers);
-  const std::uint32_t a = words.whole("vertex", 0, kAnyNumber);
-  const std::uint32_t b = words.whole("vertex", 0, kAnyNumber);
-  return [=](Workshop& w) {
-    requireLayer(w, layer);
-    separateEdges(layer, std::vector<HairMeshEdge>{{a, b}}, w.mesh());
-    w.afterGeometry();
-  };
-}
-
-ScriptStep readWeldVertices(ScriptWords& words) {
-  const std::uint32_t layer = words.whole("layer", 1, kMostLayers);
-  const std::uint32_t a = words.whole("vertex", 0, kAnyNumber);
-  const std::uint32_t b = words.whole("vertex", 0, kAnyNumber);
-  return [=](Workshop& w) {
-    requireLayer(w, layer);
-    weldVertices(layer, a, b, w.mesh());
-    w.afterGeometry();
-  };
-}
-
-ScriptStep readWeldEdges(ScriptWords& words) {
-  const std::uint32_t layer = words.whole("layer", 1, kMostLayers);
-  std::uint32_t v[4];
+  std::array<std::uint32_t, kCount> v;
   for (std::uint32_t& vertex : v) vertex = words.whole("vertex", 0, kAnyNumber);
-  const HairMeshEdge a{v[0], v[1]}, b{v[2], v[3]};
   return [=](Workshop& w) {
     requireLayer(w, layer);
-    weldEdges(layer, a, b, w.mesh());
+    operation(layer, v, w.mesh());
     w.afterGeometry();
   };
+}
+
+// separate-edge LAYER A B
+ScriptStep readSeparateEdge(ScriptWords& words) {
+  return onVertices<2>(words, [](std::uint32_t layer, const auto& v, HairMesh& mesh) {
+    separateEdges(layer, std::vector<HairMeshEdge>{{v[0], v[1]}}, mesh);
+  });
+}
+
+// weld-vertices LAYER A B
+ScriptStep readWeldVertices(ScriptWords& words) {
+  return onVertices<2>(words, [](std::uint32_t layer, const auto& v, HairMesh& mesh) {
+    weldVertices(layer, v[0], v[1], mesh);
+  });
+}
+
+// weld-edges LAYER A B C D
+ScriptStep readWeldEdges(ScriptWords& words) {
+  return onVertices<4>(words, [](std::uint32_t layer, const auto& v, HairMesh& mesh) {
+    weldEdges(layer, {v[0], v[1]}, {v[2], v[3]}, mesh);
+  });
 }
 
 void requireBundle(const Workshop& w, std::uint32_t bundle) {

@@ -78,11 +78,6 @@ std::size_t usedCorners(const HairMesh& mesh) {
   return corners;
 }
 
-std::uint32_t rootOf(const HairMesh& mesh, std::size_t layer, std::uint32_t vertex) {
-  for (std::size_t k = layer; k > 0; --k) vertex = mesh.layers[k].below[vertex];
-  return vertex;
-}
-
 glm::vec3 outwards(const std::function<float(glm::vec3)>& distance, glm::vec3 p) {
   constexpr float kStep = 2e-4f;
   glm::vec3 gradient;

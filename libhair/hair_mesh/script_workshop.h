@@ -62,9 +62,6 @@ struct Workshop {
 /// Corners of faces in all layers.
 std::size_t usedCorners(const HairMesh& mesh);
 
-/// Vertex of the scalp on which a vertex of layer k stands.
-std::uint32_t rootOf(const HairMesh& mesh, std::size_t layer, std::uint32_t vertex);
-
 /// Outward direction of a distance field.
 glm::vec3 outwards(const std::function<float(glm::vec3)>& distance, glm::vec3 p);
 

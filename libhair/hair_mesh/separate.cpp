@@ -15,11 +15,6 @@ const LayerEdge& requireEdge(std::span<const LayerEdge> edges, std::size_t layer
   return *found;
 }
 
-std::uint32_t rootOf(const HairMesh& mesh, std::size_t layer, std::uint32_t vertex) {
-  for (std::size_t k = layer; k > 0; --k) vertex = mesh.layers[k].below[vertex];
-  return vertex;
-}
-
 std::uint32_t cornerOf(const HairMesh::Layer& layer, std::uint32_t vertex) {
   return static_cast<std::uint32_t>(std::find(layer.corners.begin(), layer.corners.end(), vertex) -
                                     layer.corners.begin());

@@ -14,6 +14,15 @@
 namespace hair {
 namespace {
 
+// Of the corners of its faces.
+glm::vec3 middleOfLayer(const HairMesh& mesh, std::size_t k) {
+  glm::vec3 sum(0);
+  float count = 0;
+  for (std::uint32_t j = 0; j < mesh.bundleCount(); ++j)
+    for (const std::uint32_t v : mesh.face(k, j)) sum += mesh.layers[k].positions[v], ++count;
+  return sum / count;
+}
+
 HairMesh meshOf(const std::string& script) {
   return applyScript(parseHairMeshScript(script, "a.hairmesh")).mesh;
 }
@@ -100,13 +109,7 @@ TEST(ScriptGrowth, ASweptSectionKeepsItsShapeAndGoesThroughItsPoints) {
   for (std::size_t a = 0; a < from.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
       EXPECT_NEAR(glm::distance(to[a], to[b]), 0.5f * glm::distance(from[a], from[b]), 1e-5f);
-  const auto middleOf = [&](std::size_t k) {
-    glm::vec3 sum(0);
-    float count = 0;
-    for (std::uint32_t j = 0; j < mesh.bundleCount(); ++j)
-      for (const std::uint32_t v : mesh.face(k, j)) sum += mesh.layers[k].positions[v], ++count;
-    return sum / count;
-  };
+  const auto middleOf = [&](std::size_t k) { return middleOfLayer(mesh, k); };
   EXPECT_LT(glm::distance(middleOf(41), {0, 0.1f, 0.3f}), 1e-3f);
   glm::vec3 normal(0);  // of the last section: along the path
   for (std::uint32_t j = 0; j < mesh.bundleCount(); ++j)
@@ -123,13 +126,7 @@ TEST(ScriptGrowth, ACoilGoesAroundItsAxis) {
   const HairMesh mesh = meshOf(
       "scalp sphere 0.01 1 6 to 60\n"
       "coil all 40 about 0.05 0 0 axis 0 1 0 turns 1 rise 0.04\n");
-  const auto middleOf = [&](std::size_t k) {
-    glm::vec3 sum(0);
-    float count = 0;
-    for (std::uint32_t j = 0; j < mesh.bundleCount(); ++j)
-      for (const std::uint32_t v : mesh.face(k, j)) sum += mesh.layers[k].positions[v], ++count;
-    return sum / count;
-  };
+  const auto middleOf = [&](std::size_t k) { return middleOfLayer(mesh, k); };
   for (std::size_t k = 0; k < 41; ++k) {
     const glm::vec3 p = middleOf(k) - glm::vec3(0.05f, 0, 0);
     EXPECT_NEAR(std::hypot(p.x, p.z), 0.05f, 1e-3f) << k;
