@@ -4,13 +4,19 @@
 include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/hair")
 
-set(without_hair_mesh)
+# Headers that say HAIR_API are public, all others stay here.
+file(GLOB_RECURSE headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS
+  "${PROJECT_SOURCE_DIR}/libhair/*.h")
 if(NOT HAIR_WITH_HAIR_MESH)
-  set(without_hair_mesh PATTERN "hair_mesh" EXCLUDE)
+  list(FILTER headers EXCLUDE REGEX "^libhair/hair_mesh/")
 endif()
-install(DIRECTORY libhair DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT library
-  FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE PATTERN "script_*.h" EXCLUDE
-  ${without_hair_mesh})
+foreach(header IN LISTS headers)
+  file(STRINGS "${PROJECT_SOURCE_DIR}/${header}" public LIMIT_COUNT 1 REGEX "HAIR_API")
+  if(public)
+    cmake_path(GET header PARENT_PATH folder)
+    install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${folder}" COMPONENT library)
+  endif()
+endforeach()
 install(TARGETS hair EXPORT hairTargets COMPONENT library)
 install(EXPORT hairTargets NAMESPACE hair:: DESTINATION "${package_folder}" COMPONENT library)
 if(HAIR_WITH_MODEL)

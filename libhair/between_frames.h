@@ -1,8 +1,9 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/frame.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What may happen to hair between two frames. Each keeps the hair's motion as far as it can; what
 /// is drawn of a hair that stands still (transmittance, colours) is made again by light().

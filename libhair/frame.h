@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/profile.h>
 #include <libhair/guides/settings.h>
 #include <libhair/guides/step.h>
@@ -16,7 +17,7 @@
 #include <libhair/shadow/light.h>
 #include <libhair/wisps/wisps.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What a frame computes. A stage that is off from the start costs nothing, neither time nor
 /// memory.

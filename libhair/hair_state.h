@@ -2,9 +2,10 @@
 
 #include <iosfwd>
 
+#include <libhair/core/api.h>
 #include <libhair/frame.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Writes what a frame hands to the next: guides, self-collision, colliders, time, drawn points,
 /// and what was learnt at rest in the place where the hair was made. Settings and groom are not

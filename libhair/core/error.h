@@ -4,7 +4,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// A bad file or argument. The message says what is wrong, where (file and byte or line, or the
 /// argument) and which knob to turn; broken invariants of the library itself are assertions

@@ -3,7 +3,9 @@
 #include <string_view>
 #include <vector>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// Kernels are compiled for several instruction sets, and run with the best that the CPU has. Names
 /// are Google Highway's: "AVX3" (AVX-512), "AVX2", "NEON", "SCALAR" (any CPU: SSE2 on x86-64).

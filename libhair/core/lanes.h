@@ -5,7 +5,9 @@
 
 #include <glm/glm.hpp>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// Sixteen strands side by side, one float of each: how what is simulated is stored. GCC's and
 /// Clang's vector extension; the operators + - * / and comparisons come with it, and round as

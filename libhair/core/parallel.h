@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 namespace detail {
 using RangeBody = void (*)(void* context, std::size_t begin, std::size_t end);

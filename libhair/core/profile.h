@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// The stages of a frame, in the order they run.
 enum class Stage {

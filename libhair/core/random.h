@@ -2,7 +2,9 @@
 
 #include <cstdint>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// Counter-based random numbers: a value depends on what it is for (strand, use), never on the
 /// order of calls, so that threads and options do not change a groom.

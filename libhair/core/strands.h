@@ -8,7 +8,9 @@
 
 #include <glm/glm.hpp>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// Read-only view of strands, root first. Strand s owns points[first[s] .. first[s + 1]).
 /// Every pass of the library takes this, so that a caller can bring arrays of its own.

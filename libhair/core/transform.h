@@ -3,7 +3,9 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// Rotation, then translation (metres). Named by what it does: worldFromHead * headFromLocal.
 struct RigidTransform {

@@ -5,7 +5,9 @@
 
 #include <glm/glm.hpp>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// Triangles by index, counter-clockwise seen from outside.
 struct TriangleMesh {

@@ -5,7 +5,9 @@
 #include <iosfwd>
 #include <string>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// Writes a whole file or nothing: `write` fills a stream on a temporary file in the same folder,
 /// which then takes the file's name. Where anything fails the temporary file is removed, whatever

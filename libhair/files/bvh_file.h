@@ -10,7 +10,9 @@
 
 #include <glm/glm.hpp>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// Motion capture as a BVH file holds it: a tree of joints and one row of numbers a frame.
 ///

@@ -7,9 +7,10 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What a .hair file holds (Cem Yuksel's format, "HAIR" files), in the file's own units and axes;
 /// strand_file.h converts. Optional arrays are empty where the file has none; its defaults hold

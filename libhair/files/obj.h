@@ -4,9 +4,10 @@
 #include <filesystem>
 #include <string_view>
 
+#include <libhair/core/api.h>
 #include <libhair/core/triangle_mesh.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What became of the faces of an OBJ file.
 struct ObjReport {

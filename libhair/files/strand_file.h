@@ -7,9 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Which axis of a file points up; the face looks along the axis named second. Each is a rotation
 /// (no mirroring) into the library's +Y up, +Z face.

@@ -2,9 +2,10 @@
 
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/guides/guide_strands.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Factors L·D·Lᵀ of the implicit bending system of every guide, for one length of substep.
 ///

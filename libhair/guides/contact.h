@@ -3,12 +3,13 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/lanes.h>
 #include <libhair/core/transform.h>
 #include <libhair/guides/scenery.h>
 #include <libhair/motion/colliders.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 class MeshSdf;
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/lanes.h>
 #include <libhair/core/state_hash.h>
 #include <libhair/core/transform.h>
@@ -12,7 +13,7 @@
 #include <libhair/guides/settings.h>
 #include <libhair/model/groom.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 class MeshSdf;
 

@@ -2,10 +2,11 @@
 
 #include <span>
 
+#include <libhair/core/api.h>
 #include <libhair/guides/guide_strands.h>
 #include <libhair/motion/colliders.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// How well the guides keep what they promise, now.
 struct GuideStats {

@@ -5,9 +5,10 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/guides/settings.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Longest guide that the solver's scratch (on the stack, in the first-level cache) holds.
 inline constexpr std::uint32_t kMaxGuidePoints = 64;

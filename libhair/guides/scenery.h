@@ -2,10 +2,11 @@
 
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/motion/colliders.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// A plane at the end of a substep. Its surface moved by carry · (p - point) + drift at p.
 struct PlanePlace {

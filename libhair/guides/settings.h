@@ -2,7 +2,9 @@
 
 #include <glm/glm.hpp>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// How links are brought to their lengths in a substep.
 enum class LinkSolver {

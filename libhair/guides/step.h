@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/transform.h>
 #include <libhair/guides/bending.h>
 #include <libhair/guides/contact.h>
@@ -11,7 +12,7 @@
 #include <libhair/motion/colliders.h>
 #include <libhair/motion/wind.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What carries and pushes the guides over one frame. Roots and colliders are interpolated inside
 /// the frame, from where the guides were left to what stands here.

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// The chains of a hair mesh: from each vertex that a tip face stands on, down its edges between
 /// layers to the scalp (Yuksel et al. 2009, section 4: "an articulated rigid body chain directly

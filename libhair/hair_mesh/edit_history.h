@@ -3,9 +3,10 @@
 #include <functional>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// A hair mesh and its last edits, to go back and forth between. A step is a whole mesh, so memory
 /// is bounded by maxSteps + 1 meshes; the oldest step goes when there are more.

@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// [layer][vertex], 1 for exterior vertices: those of the scalp, of tip faces, and of side quads
 /// that a single bundle has (Yuksel et al. 2009, section 3.3, figure 2a). What is 0 lies inside the

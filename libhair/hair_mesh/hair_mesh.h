@@ -7,7 +7,9 @@
 
 #include <glm/glm.hpp>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// No vertex here: the bundle has ended below.
 inline constexpr std::uint32_t kNoVertex = 0xffffffffu;

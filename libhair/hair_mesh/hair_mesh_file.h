@@ -5,9 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Hair meshes as OBJ files that any polygon modeller opens and saves: one object a layer, `o
 /// layer_0` the scalp, metres, +Y up. Such programs keep the order of objects' faces and corners

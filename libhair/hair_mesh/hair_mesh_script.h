@@ -7,10 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 #include <libhair/hair_mesh/styling.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// A hairstyle: the volume, and the sets of strands that are grown in it.
 struct Hairstyle {

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/hair_mesh/exterior.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 struct PlacementSettings {
   /// How far, beside the mesh's size (the diagonal of the box around the vertices that are held), a

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/hair_mesh/chains.h>
 #include <libhair/hair_mesh/roots.h>
 #include <libhair/model/groom.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 struct MeshGroomSettings {
   /// 3 to kMaxGuidePoints; 0: as many as there are layers, so that links are about as long as the

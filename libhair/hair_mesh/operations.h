@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
 // Topological operations (Yuksel et al. 2009, section 3.2). Each takes a valid mesh and leaves one,
@@ -12,7 +13,7 @@
 // Vertices keep their numbers as far as can be: of a vertex that parts, the first of its fans of
 // faces keeps the number and others come last in the layer; where vertices go, numbers behind them
 // close up. Faces that only a point would hold together part there as well.
-namespace hair {
+namespace HAIR_API hair {
 
 /// Between two neighbouring corners of one layer, in either order.
 struct HairMeshEdge {

@@ -2,9 +2,10 @@
 
 #include <functional>
 
+#include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// How dense hair is at a point of the scalp, relative: 0 none, 1 most; what is beyond is clamped.
 using ScalpDensity = std::function<float(glm::vec3)>;

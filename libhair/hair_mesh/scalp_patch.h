@@ -1,9 +1,10 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 #include <libhair/model/scalp_roots.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// A scalp as rings of polygons around a pole: `sectors` triangles around it, then rings of quads.
 /// Ring r (0 the innermost), sector s is face r · sectors + s; sectors go round counter-clockwise

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/hair_mesh/roots.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Styling of strands that come out of a hair mesh (Yuksel et al. 2009, section 3.4), in the order
 /// of the fields. Everything random is keyed by the strand's root (bundle and number in it), never

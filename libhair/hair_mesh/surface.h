@@ -2,10 +2,11 @@
 
 #include <array>
 
+#include <libhair/core/api.h>
 #include <libhair/core/triangle_mesh.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// The outer surface of the volume, as it is modelled (Yuksel et al. 2009, section 3.3): tip faces
 /// and the side quads that a single bundle has; the scalp is left open. Every face has vertices and

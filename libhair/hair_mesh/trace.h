@@ -1,9 +1,10 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/hair_mesh/roots.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// A strand for each root (Yuksel et al. 2009, section 3.1): the root's weights, applied to the
 /// corners of its bundle's face in layers 0 ... n_j, are points; a C1 Catmull-Rom spline through

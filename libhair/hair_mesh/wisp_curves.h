@@ -1,9 +1,10 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/hair_mesh/styling.h>
 #include <libhair/model/styles.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Strands of a mesh as the curves of wisps (Yuksel et al. 2009, section 3.4 and figure 9).
 struct WispCurveSettings {

@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/shadow/light_space.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// One row of a table that compares ways to shadow hair.
 struct ShadowCandidate {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/measure/candidates.h>
 #include <libhair/measure/cost_model.h>
@@ -12,7 +13,7 @@
 #include <libhair/model/groom.h>
 #include <libhair/shadow/light_space.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What shadows may cost. Either or both; infinite: no limit.
 struct ShadowBudget {

@@ -4,12 +4,13 @@
 #include <cstddef>
 #include <string>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/measure/hair_features.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// The stages of shadow methods whose time is predicted, each with coefficients of its own.
 enum class CostStage {

@@ -2,9 +2,10 @@
 
 #include <span>
 
+#include <libhair/core/api.h>
 #include <libhair/measure/truth.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// How far transmittances are from the truth. Each figure has the standard error that the choice of
 /// points and the truth's own noise leave it.

@@ -3,13 +3,14 @@
 #include <cstdint>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/measure/truth.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/light_space.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Most of a prediction's standard error is the choice of points: errors have long tails. Rays are
 /// as many as it takes to tell errors from noise: broad fibres need few, and their rays are slow.

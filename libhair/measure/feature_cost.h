@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/measure/scene.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What was seen of the whole scene while it was measured.
 struct SceneWatch {

@@ -5,13 +5,14 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/measure/truth.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/light_space.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// How shadows on still hair move when the light turns slowly, beyond what they should.
 ///

@@ -5,10 +5,11 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/shadow/light_space.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What the time to shadow hair depends on, as seen from its light: x along it, y and z across.
 /// Lengths in metres; under a light at a point those of its mapping (CellFrame), which are metres

@@ -3,10 +3,11 @@
 #include <functional>
 #include <memory>
 
+#include <libhair/core/api.h>
 #include <libhair/frame.h>
 #include <libhair/motion/motion.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What a measurement performs, again and again: hair on a body that moves. A copy whose fields are
 /// changed is the same scene with something left out.

@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/measure/candidates.h>
 #include <libhair/measure/error_figures.h>
@@ -15,7 +16,7 @@
 #include <libhair/model/groom.h>
 #include <libhair/shadow/light_space.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What ways to shadow are tried on: hair under one light, and the truth at some of its points.
 struct TrialScene {

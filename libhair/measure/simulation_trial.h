@@ -4,9 +4,10 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/measure/scene.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// How far tips are from where another run of the same scene has them, metres.
 struct TipDistance {

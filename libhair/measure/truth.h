@@ -7,11 +7,12 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/light_space.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// From a point against the light, and how far.
 struct ShadowRay {

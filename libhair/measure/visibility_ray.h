@@ -6,12 +6,13 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/measure/truth.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/light_space.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Points along one ray of the light through hair, and what reaches them: the visibility function
 /// that figure 5 of Mertens et al. 2004 compares methods by.

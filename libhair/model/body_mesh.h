@@ -6,11 +6,12 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/transform.h>
 #include <libhair/core/triangle_mesh.h>
 #include <libhair/motion/body.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// A tailor's dummy around a skeleton, to be drawn: trunk with neck, arms, legs as closed surfaces
 /// that overlap; no head. Skinned linearly by up to four joints a vertex. A skeleton that is not

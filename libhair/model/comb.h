@@ -4,9 +4,10 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/model/styles.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Grows one guide from `root`: along the head away from the parting, then down, outside of head,
 /// neck and shoulders, the farther out the farther it has come (so that hair from above lies over

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/model/styles.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Hangs a drawn strand on each root: weights from where the root lies among its wisp's guides
 /// (n·wisp .. n·wisp + n - 1 of groom.guidePoints; n = `guidesPerWisp`, 3 or 1), and offsets for

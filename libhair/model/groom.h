@@ -6,9 +6,10 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What a drawn strand stands for. A picture draws thousands of strands for a hundred thousand
 /// hairs; each then blocks the light of all the hairs it stands for.

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/core/triangle_mesh.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// The head that the built-in styles grow on: a plain mannequin made of smoothly joined
 /// ellipsoids, 0.225 m from chin to crown. Head space: metres, +Y up, +Z where the face looks,

@@ -2,10 +2,11 @@
 
 #include <span>
 
+#include <libhair/core/api.h>
 #include <libhair/core/transform.h>
 #include <libhair/model/head.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Moves a loaded bust (metres, +Y up, face to +Z) into head space: its skull comes to lie where
 /// the built-in head has its own, so that the origin is about the top of its neck. `hairRoots`,

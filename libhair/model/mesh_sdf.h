@@ -2,10 +2,11 @@
 
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/core/triangle_mesh.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Signed distance to a triangle mesh on a regular grid: negative inside.
 ///

@@ -5,10 +5,11 @@
 #include <numeric>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/random.h>
 #include <libhair/core/strands.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Where every point of new strands comes from in old ones: between points `index` and
 /// `index + 1`, at t. With t = 0 it is an old point, bit for bit.

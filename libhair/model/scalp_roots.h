@@ -6,9 +6,10 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/model/mesh_sdf.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Where hair parts: a line over the top of the built-in head, from the front hairline back to
 /// the whorl, from which hair falls to all sides. Metres, head space.

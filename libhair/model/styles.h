@@ -2,12 +2,13 @@
 
 #include <cstdint>
 
+#include <libhair/core/api.h>
 #include <libhair/model/groom.h>
 #include <libhair/model/head.h>
 #include <libhair/model/mesh_sdf.h>
 #include <libhair/model/scalp_roots.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 enum class Style : std::uint8_t {
   Smooth,  ///< brown hair to the shoulders (Bertails et al. 2005, figures 1 and 9)

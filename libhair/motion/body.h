@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/transform.h>
 #include <libhair/motion/skeleton.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Which joint is which part of a human body; -1: not found. Sides: 0 left, 1 right.
 struct BodyMap {

@@ -3,9 +3,10 @@
 #include <cstddef>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/motion/skeleton.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 struct FlipSettings {
   float minDegrees = 1.2f;  ///< a jump smaller than this is never a flip

@@ -4,9 +4,10 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/transform.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 class MeshSdf;
 

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/motion/skeleton.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// The skeleton of the built-in dancer: a woman of 1.68 m, zero pose a T that faces +Z.
 Skeleton dancerSkeleton();

@@ -3,12 +3,13 @@
 #include <cstddef>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/motion/body.h>
 #include <libhair/motion/clip_filter.h>
 #include <libhair/motion/colliders.h>
 #include <libhair/motion/skeleton.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What a frame needs to know of who moves.
 struct BodyPose {

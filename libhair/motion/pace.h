@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <libhair/core/api.h>
 #include <libhair/core/error.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Turns real time into whole frames of the simulation, all of the same length. Where drawing is
 /// slow there is more to catch up with in every picture, which makes the next picture slower still:

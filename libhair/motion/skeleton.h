@@ -8,9 +8,10 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/transform.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 struct Bvh;
 

@@ -5,7 +5,9 @@
 
 #include <glm/glm.hpp>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// A Wind at one time: a steady flow, and waves of velocity.
 struct WindField {

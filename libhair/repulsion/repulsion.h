@@ -4,12 +4,13 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/lanes.h>
 #include <libhair/guides/guide_strands.h>
 #include <libhair/motion/wind.h>
 #include <libhair/shadow/density_map.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Which way over-full cells push.
 enum class RepulsionKind {

@@ -5,10 +5,11 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/shadow/light.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// How hair looks (Kajiya and Kay 1989). Colours are linear, not sRGB.
 struct KajiyaKaySettings {

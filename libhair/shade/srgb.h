@@ -3,7 +3,9 @@
 #include <bit>
 #include <cstdint>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// Linear light to the sRGB byte that shows it (IEC 61966-2-1), by a table of the float's leading
 /// bits. 0 and below gives 0, 1 and above 255; elsewhere within 0.65 of the exact value.

@@ -9,7 +9,9 @@
 
 #include <glm/glm.hpp>
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// How cells are grouped: 4 along the light (x), 4 (z) and 16 (y) across it. Rows of y are lanes: a
 /// brick of 1 KiB is 16 rows of one cache line each. A strand leaves most of its cells in the brick

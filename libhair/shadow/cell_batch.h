@@ -5,9 +5,10 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/shadow/light_space.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// The cell coordinates of up to 64 points, one array a component: straight loops that vectorise,
 /// with the same bits as CellFrame::cellCoordinates point by point.

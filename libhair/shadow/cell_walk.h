@@ -4,9 +4,10 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/shadow/light_space.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 inline glm::ivec3 floorToCell(glm::vec3 u) {
   return {floorToInt(u.x), floorToInt(u.y), floorToInt(u.z)};

@@ -2,11 +2,12 @@
 
 #include <cstdint>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/density_map.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Adds strands to a cleared map (Bertails et al. 2005, section 3.1), on all threads; the counts
 /// are integers, so the result has the same bits for any number of threads.

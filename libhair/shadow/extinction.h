@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <libhair/core/api.h>
 #include <libhair/model/groom.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// What a fibre takes away of the light that meets it.
 enum class Extinction {

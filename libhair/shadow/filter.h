@@ -4,10 +4,11 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/shadow/density_map.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Transmittance at points (Bertails et al. 2005, section 3.3), with map.settings.filter. The
 /// points need not be hair: a head or the ground is shadowed by the hair in the same way. Exactly 1

@@ -6,10 +6,11 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/error.h>
 #include <libhair/core/transform.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// The local frame of a light-oriented map (Bertails et al. 2005, section 2.1): its X runs along
 /// the rays of a light at infinity, Y and Z across them; or along the ray of a light at a point

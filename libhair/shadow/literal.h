@@ -5,9 +5,11 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/shadow/light_space.h>
 
-namespace hair::literal {
+namespace HAIR_API hair {
+namespace literal {
 
 /// Section 3 of Bertails et al. 2005 written down as it stands: one thread, one float a cell, whole
 /// columns one after another, std::exp per cell, the paper's filter. Slow; kept as the reference
@@ -34,4 +36,5 @@ void computeTransmittance(LiteralMap& map);
 void filterTransmittance(const LiteralMap& map, std::span<const glm::vec3> points,
                          std::span<float> out);
 
-}  // namespace hair::literal
+}  // namespace literal
+}  // namespace hair

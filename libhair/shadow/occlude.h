@@ -2,12 +2,13 @@
 
 #include <span>
 
+#include <libhair/core/api.h>
 #include <libhair/core/transform.h>
 #include <libhair/model/mesh_sdf.h>
 #include <libhair/motion/colliders.h>
 #include <libhair/shadow/density_map.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Puts opaque things into the same map as the hair (Bertails et al. 2005, section 6): all that is
 /// behind them is dark. After deposit(), before computeTransmittance().

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/shadow/density_map.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// From densities to transmittance (Bertails et al. 2005, section 3.2, equation 3):
 ///

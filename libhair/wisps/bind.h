@@ -1,9 +1,10 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/model/groom.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 struct BindSettings {
   std::uint32_t guides = 402;         ///< chosen among the strands, at most as many as there are

@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/guides/guide_strands.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Guides as smooth curves: Catmull-Rom through the points of each guide (Bertails et al. 2005,
 /// section 3.1), sampled evenly in its parameter, with a frame carried along by parallel transport.

@@ -3,10 +3,11 @@
 #include <cstdint>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/guides/contact.h>
 #include <libhair/wisps/guide_curves.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// Head and body as drawn strands meet them, and how much room the guides have among them: most
 /// points stay so near to their main guide that they cannot reach anything, and need no look.

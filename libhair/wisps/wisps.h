@@ -4,12 +4,13 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/guides/contact.h>
 #include <libhair/model/groom.h>
 #include <libhair/wisps/guide_curves.h>
 #include <libhair/wisps/obstacles.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// How drawn strands are kept out of colliders (SIGGRAPH 2010 course, "Avoiding interpolated hair
 /// collisions").

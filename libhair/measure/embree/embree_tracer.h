@@ -2,11 +2,12 @@
 
 #include <memory>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/measure/truth.h>
 #include <libhair/model/groom.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// The law of makeGridTracer (ribbon.h), asked of the segments that Embree finds along a ray: a
 /// second, independent search, to check the first. Target hair::embree (HAIR_WITH_EMBREE). Strands

@@ -2,10 +2,11 @@
 
 #include <memory>
 
+#include <libhair/core/api.h>
 #include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 class ShadowMethod;
 

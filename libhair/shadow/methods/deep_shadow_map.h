@@ -4,11 +4,12 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/shadow/methods/fragment_lists.h>
 #include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 class ShadowMethod;
 

@@ -2,9 +2,10 @@
 
 #include <memory>
 
+#include <libhair/core/api.h>
 #include <libhair/shadow/density_map.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 class ShadowMethod;
 

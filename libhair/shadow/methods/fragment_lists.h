@@ -5,11 +5,12 @@
 #include <span>
 #include <vector>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/methods/light_image.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// A fragment in the list of its pixel.
 struct PixelFragment {

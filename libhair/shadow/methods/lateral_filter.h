@@ -1,6 +1,8 @@
 #pragma once
 
-namespace hair {
+#include <libhair/core/api.h>
+
+namespace HAIR_API hair {
 
 /// How an image of the light is read between the middles of its pixels.
 enum class LateralFilter {

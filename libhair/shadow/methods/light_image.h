@@ -6,13 +6,14 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/shadow/cell_batch.h>
 #include <libhair/shadow/cell_walk.h>
 #include <libhair/shadow/extinction.h>
 #include <libhair/shadow/light_space.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// The picture that a camera at the light takes of the hair: what all the methods that look from
 /// the light share. Pixels are the cells of a CellFrame seen along the light; depths run along the

@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/density_map.h>
@@ -18,7 +19,7 @@
 #include <libhair/shadow/methods/opacity_map.h>
 #include <libhair/shadow/methods/shadow_map.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// One way to shadow hair, so that ways can be measured against each other. A program that has made
 /// its choice calls the passes of its method directly; frame() calls those of the density map.
