@@ -22,27 +22,27 @@ namespace HAIR_API hair {
 /// What a frame computes. A stage that is off from the start costs nothing, neither time nor
 /// memory.
 struct FrameSettings {
-  GuideSettings guides;
-  bool selfCollision = true;
-  RepulsionSettings repulsion;
-  Wind wind;
+  GuideSettings guides;         ///< how guides move
+  bool selfCollision = true;    ///< off: nothing pushes hair apart, and no density is measured
+  RepulsionSettings repulsion;  ///< how strongly hair pushes hair apart
+  Wind wind;                    ///< still air by default
 
   std::vector<Light> lights = std::vector<Light>(1);  ///< none: hair in its ambient colour
-  bool shadow = true;
-  DensityMapSettings map;  ///< of every light's map
+  bool shadow = true;                                 ///< off: no maps, all light arrives
+  DensityMapSettings map;                             ///< of every light's map
   /// Head and body in every light's map, as soft as its cells (occlude). A program that draws has
   /// sharper shadows of them in its own images, and hands those over as Hair::visibility.
   bool bodyShadow = false;
-  bool shade = true;
-  KajiyaKaySettings look;
+  bool shade = true;       ///< off: no colours are computed
+  KajiyaKaySettings look;  ///< colours and highlights
   glm::vec3 eye{0, 0, 1};  ///< where the picture is taken from, metres; highlights move with it
 };
 
 /// Where head, body and scenery are at the end of a frame.
 struct BodyState {
-  RigidTransform worldFromHead;
-  std::span<const Capsule> capsules;
-  Scenery scenery{};
+  RigidTransform worldFromHead;       ///< head space to world
+  std::span<const Capsule> capsules;  ///< of the body, at most kMaxCapsules
+  Scenery scenery{};                  ///< planes and meshes around it; none by default
 
   /// Each kind of collider: as many as before move from there; else changeColliders.
   bool asMany(const BodyState& other) const {
@@ -63,11 +63,11 @@ struct Hair {
   Hair(const Groom& groom, const FrameSettings& settings, const BodyState& body,
        const MeshSdf* head = nullptr, const WispSettings& wisps = {});
 
-  const Groom* groom;
-  const MeshSdf* head;
-  GuideStrands guides;
-  Wisps wisps;
-  Repulsion repulsion;
+  const Groom* groom;                  ///< as given; not owned
+  const MeshSdf* head;                 ///< collider in head space, not owned; null: none
+  GuideStrands guides;                 ///< what is simulated
+  Wisps wisps;                         ///< what is drawn
+  Repulsion repulsion;                 ///< density of the drawn hair, and its push
   std::vector<DensityMap> maps;        ///< [lights]; empty while shadows are off
   std::vector<float> transmittance;    ///< [lights · pointCount]; empty while shadows are off
   std::vector<float> visibility;       ///< [lights · pointCount], what head and body leave of each
@@ -78,8 +78,9 @@ struct Hair {
   std::vector<Plane> planes;           ///< scenery then
   std::vector<MeshCollider> meshes;    ///< scenery then
   double time = 0;                     ///< simulated seconds
-  GuideWorkspace workspace;
+  GuideWorkspace workspace;            ///< scratch of stepGuides
 
+  /// The drawn strands of the last frame, world space.
   StrandView strands() const { return wisps.strands(); }
   /// Where head and body were at the end of the last frame.
   BodyState body() const { return {worldFromHead, capsules, {planes, meshes}}; }

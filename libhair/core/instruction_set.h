@@ -20,6 +20,7 @@ std::vector<std::string_view> instructionSets();
 /// not among instructionSets(). For tests and benchmarks: make it while no other thread computes.
 class InstructionSetLimit {
  public:
+  /// `name`: one of instructionSets().
   explicit InstructionSetLimit(std::string_view name);
   ~InstructionSetLimit();
   InstructionSetLimit(const InstructionSetLimit&) = delete;

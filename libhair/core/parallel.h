@@ -36,6 +36,7 @@ int threadCount();
 /// (0: as many as the machine has), even where the machine has fewer processors.
 class ThreadLimit {
  public:
+  /// Throws Error for `threads` not in [0, 1024].
   explicit ThreadLimit(int threads);
   ~ThreadLimit();
   ThreadLimit(const ThreadLimit&) = delete;

@@ -13,24 +13,26 @@ namespace HAIR_API hair {
 
 /// The stages of a frame, in the order they run.
 enum class Stage {
-  Motion,
-  Guides,
-  Wisps,
-  SelfCollision,
-  Deposit,
-  Transmittance,
-  Filter,
-  Shade,
-  Draw,
+  Motion,         ///< posing the body: a program's own; the library leaves it zero
+  Guides,         ///< simulation of the guide strands
+  Wisps,          ///< drawn strands from the guides
+  SelfCollision,  ///< density of the drawn hair, and its push
+  Deposit,        ///< hair into the density map
+  Transmittance,  ///< along the light, cell by cell
+  Filter,         ///< transmittance at every point
+  Shade,          ///< colours of all points
+  Draw,           ///< a program's own drawing; the library leaves it zero
 };
+/// How many stages there are.
 inline constexpr std::size_t kStageCount = 9;
 
 /// The name a profile prints: "motion", "guides", ...
 std::string_view stageName(Stage stage);
 
+/// What one stage took in one frame.
 struct StageTime {
-  std::int64_t nanoseconds = 0;
-  std::int64_t items = 0;  ///< points, cells, ... whatever the stage works through
+  std::int64_t nanoseconds = 0;  ///< from its start to its end, however many threads it uses
+  std::int64_t items = 0;        ///< points, cells, ... whatever the stage works through
 };
 
 /// What one frame cost, by stage. Always filled; a stage that did not run stays zero.
@@ -39,6 +41,7 @@ using FrameProfile = std::array<StageTime, kStageCount>;
 /// Adds the time of its own life, and the items, to one stage of a profile.
 class StageTimer {
  public:
+  /// Starts to measure; `items` are added at once.
   StageTimer(FrameProfile& profile, Stage stage, std::int64_t items)
       : time_(profile[static_cast<std::size_t>(stage)]), start_(Clock::now()) {
     time_.items += items;
@@ -60,8 +63,10 @@ class StageTimer {
 /// of more than kMostFrames it keeps every second, then every fourth ..., evenly over them all.
 class ProfileLog {
  public:
+  /// Frames that are kept at the most.
   static constexpr std::size_t kMostFrames = 4096;
 
+  /// Adds one frame.
   void add(const FrameProfile& frame);
   std::size_t frameCount() const { return frameCount_; }    ///< that were added
   std::size_t keptCount() const { return frames_.size(); }  ///< of these, <= kMostFrames

@@ -13,11 +13,13 @@ namespace HAIR_API hair {
 /// or something is wrong. A multiply-and-rotate hash over 8-byte words; not cryptographic.
 class StateHash {
  public:
+  /// Adds the bytes of these values, in their order. How they are split into calls may matter.
   template <class T>
   void add(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);
     addBytes(reinterpret_cast<const unsigned char*>(values.data()), values.size_bytes());
   }
+  /// The hash of all that was added so far; more may be added afterwards.
   std::uint64_t value() const { return finish(state_ ^ length_); }
 
  private:

@@ -18,8 +18,11 @@ struct StrandView {
   std::span<const glm::vec3> points;     ///< [pointCount], metres
   std::span<const std::uint32_t> first;  ///< [strandCount + 1], first[0] = 0, never decreasing
 
+  /// How many strands there are.
   std::size_t strandCount() const { return first.empty() ? 0 : first.size() - 1; }
+  /// Points of all strands.
   std::size_t pointCount() const { return points.size(); }
+  /// Points of strand s, root first.
   std::span<const glm::vec3> strand(std::size_t s) const {
     return points.subspan(first[s], first[s + 1] - first[s]);
   }
@@ -30,15 +33,23 @@ struct StrandSet {
   std::vector<glm::vec3> points;           ///< [pointCount], metres, root to tip
   std::vector<std::uint32_t> first = {0};  ///< [strandCount + 1]
 
+  /// How many strands there are.
   std::size_t strandCount() const { return first.size() - 1; }
+  /// Points of all strands.
   std::size_t pointCount() const { return points.size(); }
+  /// Segments of all strands: one less than points each, none for an empty strand.
   std::size_t segmentCount() const;
+  /// Points of strand s, root first.
   std::span<const glm::vec3> strand(std::size_t s) const { return view().strand(s); }
+  /// The same, to change them.
   std::span<glm::vec3> strand(std::size_t s) {
     return std::span(points).subspan(first[s], first[s + 1] - first[s]);
   }
+  /// Adds a strand at the end, root first. Throws Error for more than 2^32 - 1 points in all.
   void append(std::span<const glm::vec3> strandPoints);
+  /// A view; valid until a strand is appended.
   StrandView view() const { return {points, first}; }
+  /// Passes take a StrandView: a set is one.
   operator StrandView() const { return view(); }
 };
 
@@ -50,14 +61,20 @@ void validate(StrandView strands, std::string_view name, std::size_t minPoints =
 /// Length along the polyline, metres.
 float arcLength(std::span<const glm::vec3> points);
 
+/// A box along the axes; {} is empty, with lower > upper.
 struct Bounds {
-  glm::vec3 lower{INFINITY}, upper{-INFINITY};
+  glm::vec3 lower{INFINITY},  ///< least x, y and z, metres
+      upper{-INFINITY};       ///< greatest x, y and z, metres
 
+  /// Grows until it holds p.
   void extend(glm::vec3 p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
+  /// Its middle.
   glm::vec3 centre() const { return 0.5f * (lower + upper); }
+  /// Its edges' lengths, metres.
   glm::vec3 size() const { return upper - lower; }
 };
 
+/// The least box that holds all points; empty for none.
 Bounds bounds(std::span<const glm::vec3> points);
 
 }  // namespace hair

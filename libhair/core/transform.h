@@ -10,16 +10,20 @@ namespace HAIR_API hair {
 /// Rotation, then translation (metres). Named by what it does: worldFromHead * headFromLocal.
 struct RigidTransform {
   glm::quat rotation{1, 0, 0, 0};  ///< unit; w first
-  glm::vec3 translation{0};
+  glm::vec3 translation{0};        ///< metres
 
+  /// Where the transform takes a point.
   glm::vec3 point(glm::vec3 p) const { return rotation * p + translation; }
+  /// Where it takes a direction: rotated, not moved.
   glm::vec3 vector(glm::vec3 v) const { return rotation * v; }
 };
 
+/// First b, then a.
 inline RigidTransform operator*(const RigidTransform& a, const RigidTransform& b) {
   return {glm::normalize(a.rotation * b.rotation), a.point(b.translation)};
 }
 
+/// The way back.
 inline RigidTransform inverse(const RigidTransform& a) {
   const glm::quat r = glm::conjugate(a.rotation);
   return {r, -(r * a.translation)};

@@ -19,15 +19,17 @@ namespace HAIR_API hair {
 /// Units are the file's own, untouched: offsets and positions mostly centimetres, rotations
 /// degrees. Whoever makes transforms of them converts (motion/: 0.01 to metres).
 struct Bvh {
+  /// What one number of a row means.
   enum class Channel : std::uint8_t {
-    Xposition,
-    Yposition,
-    Zposition,
-    Xrotation,
-    Yrotation,
-    Zrotation,
+    Xposition,  ///< along X, the file's unit
+    Yposition,  ///< along Y, the file's unit
+    Zposition,  ///< along Z, the file's unit
+    Xrotation,  ///< about X, degrees
+    Yrotation,  ///< about Y, degrees
+    Zrotation,  ///< about Z, degrees
   };
 
+  /// A joint, and which numbers of a row move it.
   struct Joint {
     std::string name;                ///< for an end site: "<parent's name> end"
     int parent = -1;                 ///< index of a joint before this one; -1: a root
@@ -42,7 +44,9 @@ struct Bvh {
   double frameTime = 0;          ///< seconds
   std::vector<float> values;     ///< [frameCount · channelCount], frame by frame
 
+  /// How many rows of values there are.
   std::size_t frameCount() const { return channelCount == 0 ? 0 : values.size() / channelCount; }
+  /// The row of frame f: [channelCount].
   std::span<const float> frame(std::size_t f) const {
     return std::span(values).subspan(f * channelCount, channelCount);
   }

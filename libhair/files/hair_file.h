@@ -16,14 +16,14 @@ namespace HAIR_API hair {
 /// strand_file.h converts. Optional arrays are empty where the file has none; its defaults hold
 /// then.
 struct HairFile {
-  StrandSet strands;
+  StrandSet strands;                ///< the file's unit and axes
   std::vector<float> thickness;     ///< [pointCount] or empty
   std::vector<float> transparency;  ///< [pointCount] or empty; 0 opaque, 1 invisible
   std::vector<glm::vec3> colours;   ///< [pointCount] or empty; linear RGB, 0 to 1
-  float defaultThickness = 1;
-  float defaultTransparency = 0;
-  glm::vec3 defaultColour{1};
-  std::string info;  ///< at most 88 bytes
+  float defaultThickness = 1;       ///< where there is no array, the file's unit
+  float defaultTransparency = 0;    ///< where there is no array
+  glm::vec3 defaultColour{1};       ///< where there is no array; linear RGB
+  std::string info;                 ///< at most 88 bytes
 };
 
 /// Throws Error (file, byte, cause).

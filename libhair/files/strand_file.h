@@ -25,6 +25,7 @@ enum class UpAxis : std::uint8_t {
 
 /// `file`, `y`, `z`, `z-back`, `x`, `y-down`, as `--up` takes them. Throws Error with the choices.
 UpAxis upAxisFromText(std::string_view text);
+/// The word that upAxisFromText takes for it.
 std::string_view upAxisText(UpAxis up);
 /// For people: "+Z up, +Y face".
 std::string_view upAxisMeaning(UpAxis up);
@@ -34,6 +35,7 @@ void convertUnits(std::span<glm::vec3> points, float scale, UpAxis up);
 /// The way back: into units of `scale` metres and axes `up`.
 void convertUnitsBack(std::span<glm::vec3> points, float scale, UpAxis up);
 
+/// How to read a file of strands.
 struct ReadOptions {
   float scale = 0;             ///< metres per unit of the file; 0: the format's default
   UpAxis up = UpAxis::AsFile;  ///< the file's axes
@@ -73,6 +75,7 @@ std::vector<std::uint32_t> soundStrands(StrandView strands, float minLength = 1e
 /// Removes all but the sound strands; returns how many went. Loaders keep what a file says;
 /// simulation and drawing want strands with a direction. Of a StrandFile the arrays follow.
 std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-3f, std::size_t minPoints = 2);
+/// The same for a file's strands and all of its arrays.
 std::size_t dropDegenerate(StrandFile& file, float minLength = 1e-3f, std::size_t minPoints = 2);
 
 }  // namespace hair

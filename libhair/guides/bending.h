@@ -33,8 +33,10 @@ struct BendingFactors {
   std::vector<Lanes> inverseD;  ///< [groupCount · pointsPerGuide]; point 0 is the fixed root
   std::vector<Lanes> below1;    ///< L(i, i - 1)
   std::vector<Lanes> below2;    ///< L(i, i - 2)
-  /// [groupCount · linksPerGuide], m²/s²; compression has no rest tension to be held by.
-  std::vector<Lanes> mostTension, mostCompression;
+  /// Tension of a link that a substep goes by, at the most; [groupCount · linksPerGuide], m²/s².
+  std::vector<Lanes> mostTension;
+  /// The same of compression, which has no rest tension to be held by.
+  std::vector<Lanes> mostCompression;
 };
 
 /// Makes the factors unless they are there for this substep and damping (seconds) and this weight

@@ -46,9 +46,13 @@ class GuideStrands {
   GuideStrands(const Groom& groom, const GuideSettings& settings,
                const RigidTransform& worldFromHead = {}, const MeshSdf* head = nullptr);
 
+  /// How many guides there are.
   std::size_t guideCount() const { return guideCount_; }
+  /// Groups of sixteen guides, the last one filled up.
   std::size_t groupCount() const { return (guideCount_ + kLanes - 1) / kLanes; }
+  /// Points of each guide, the root included.
   std::uint32_t pointsPerGuide() const { return points_; }
+  /// Links of each guide.
   std::uint32_t linksPerGuide() const { return points_ - 1; }
 
   float shortestLink() const { return shortestLink_; }  ///< metres

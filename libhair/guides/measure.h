@@ -10,8 +10,8 @@ namespace HAIR_API hair {
 
 /// How well the guides keep what they promise, now.
 struct GuideStats {
-  float stretchMax = 0;  ///< max of |l - l0| / l0 over all links
-  float stretchRms = 0;
+  float stretchMax = 0;      ///< max of |l - l0| / l0 over all links
+  float stretchRms = 0;      ///< root of the mean square of the same
   float penetrationMax = 0;  ///< deepest guide point inside a collider, metres; 0: none is
   double kineticEnergy = 0;  ///< of the guides themselves, joules
   float speedMax = 0;        ///< m/s

@@ -24,7 +24,10 @@ inline constexpr float kShortestSubstep = 1.0f / 20000;
 /// What one guide needs to stay where it was groomed; per linear density, so lengths stand for
 /// masses. Symbols as in GuideStrands.
 struct RestShape {
-  std::array<float, kMaxGuidePoints> linkLength{}, stiffness{}, mass{}, tension{};
+  std::array<float, kMaxGuidePoints> linkLength{};     ///< metres
+  std::array<float, kMaxGuidePoints> stiffness{};      ///< kappa_i, m³/s²
+  std::array<float, kMaxGuidePoints> mass{};           ///< of each point, metres
+  std::array<float, kMaxGuidePoints> tension{};        ///< of each link at rest, m²/s²
   std::array<glm::vec3, kMaxGuidePoints> curvature{};  ///< c_i, (normal, binormal, tangent)
   float longestSubstep = 0;  ///< seconds, in which floats still solve its bending
   /// Seconds, in which what its own weight pulls is a tenth of what explicit steps bear; infinite

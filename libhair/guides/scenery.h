@@ -10,21 +10,22 @@ namespace HAIR_API hair {
 
 /// A plane at the end of a substep. Its surface moved by carry · (p - point) + drift at p.
 struct PlanePlace {
-  glm::vec3 normal, point;
-  glm::mat3 carry;
-  glm::vec3 drift;
+  glm::vec3 normal,  ///< unit, to the free side
+      point;         ///< on the plane, metres
+  glm::mat3 carry;   ///< see above
+  glm::vec3 drift;   ///< see above, metres
 };
 
 /// A mesh at the end of a substep, and where it was before.
 struct MeshPlace {
-  const MeshSdf* sdf;
-  glm::mat3 meshFromWorld;  ///< of p - at
-  glm::mat3 turn;           ///< worldFromMesh, without the scale
-  glm::vec3 at;
-  float scale;
-  glm::mat3 worldFromMeshBefore;
-  glm::vec3 atBefore;
-  Bounds box;  ///< world space, of all that its grid covers
+  const MeshSdf* sdf;             ///< distance field, not owned
+  glm::mat3 meshFromWorld;        ///< of p - at
+  glm::mat3 turn;                 ///< worldFromMesh, without the scale
+  glm::vec3 at;                   ///< where the mesh's origin is, metres
+  float scale;                    ///< of the mesh, as MeshCollider has it
+  glm::mat3 worldFromMeshBefore;  ///< rotation and scale before
+  glm::vec3 atBefore;             ///< where the mesh's origin was, metres
+  Bounds box;                     ///< world space, of all that its grid covers
 };
 
 /// Where planes and meshes are, counted from `origin`, in each of so many substeps of a frame, one

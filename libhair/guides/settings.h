@@ -29,7 +29,7 @@ struct GuideSettings {
   glm::vec3 gravity{0, -9.81f, 0};  ///< m/s²
   float substep = 1.0f / 480.0f;  ///< seconds; a frame is cut into equal steps no longer than this,
                                   ///< or than the shortest joints bear (GuideStrands)
-  LinkSolver linkSolver = LinkSolver::Direct;
+  LinkSolver linkSolver = LinkSolver::Direct;  ///< how links keep their lengths
   int iterations = 2;  ///< of the link solver a substep, 1 to 32; relaxation wants 8 or more
 };
 

@@ -21,7 +21,7 @@ struct GuideMotion {
   std::span<const Capsule> capsules{};        ///< body at the end of the frame
   std::span<const Capsule> capsulesBefore{};  ///< at its start; same count and order
   const MeshSdf* head = nullptr;              ///< collider in head space; null: none
-  Wind wind{};
+  Wind wind{};                                ///< still air by default
   double time = 0;                     ///< at the start of the frame, seconds; moves the gusts
   std::span<const LaneVec3> push{};    ///< m/s² on every point, laid out as GuideStrands; or empty
   std::span<const Lanes> windShare{};  ///< of the wind that gets to every point; or empty: all
@@ -31,7 +31,7 @@ struct GuideMotion {
 
 /// What stepGuides needs beside its inputs; kept by the caller, grown once.
 struct GuideWorkspace {
-  BendingFactors bending;
+  BendingFactors bending;                   ///< of one length of substep
   std::vector<RigidTransform> heads;        ///< [substeps + 1]
   std::vector<Capsule> capsules;            ///< [(substeps + 1) · capsuleCount]
   std::vector<CapsuleBoxes> boxes;          ///< of the same, sixteen at a time

@@ -18,8 +18,11 @@ struct HairMeshChains {
   /// kNoVertex for bundles without length.
   std::vector<std::uint32_t> chainOfCorner;
 
+  /// How many chains there are.
   std::size_t chainCount() const { return first.size() - 1; }
+  /// Edges between layers, of all chains.
   std::size_t linkCount() const { return vertices.size() - chainCount(); }
+  /// Vertices of chain c: one a layer, the scalp's first.
   std::span<const std::uint32_t> chain(std::size_t c) const {
     return std::span(vertices).subspan(first[c], first[c + 1] - first[c]);
   }

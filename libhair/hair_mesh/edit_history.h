@@ -15,16 +15,20 @@ class HairMeshHistory {
   /// Throws Error if `mesh` is not valid.
   explicit HairMeshHistory(HairMesh mesh, std::size_t maxSteps = 100);
 
+  /// The mesh as it is now.
   const HairMesh& current() const { return steps_[at_]; }
 
   /// One step: any number of operations, and places moved by hand. What was undone before is gone.
   /// If `edit` throws, or leaves a mesh that is not valid (Error), nothing has changed.
   void apply(const std::function<void(HairMesh&)>& edit);
 
+  /// Whether undo() has a step to go to.
   bool canUndo() const { return at_ > 0; }
+  /// Whether redo() has a step to go to.
   bool canRedo() const { return at_ + 1 < steps_.size(); }
-  /// Throw Error if there is no step that way.
+  /// Back by one step. Throws Error if there is none.
   void undo();
+  /// Forward by one step. Throws Error if there is none.
   void redo();
 
  private:

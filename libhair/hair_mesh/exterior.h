@@ -15,8 +15,9 @@ std::vector<std::vector<std::uint8_t>> exteriorVertices(const HairMesh& mesh);
 
 /// A side of a prism: corner and the one after it around its face, in two layers.
 struct PrismSide {
-  std::uint32_t corner, next;
-  bool outer;  ///< of one bundle alone
+  std::uint32_t corner,  ///< a corner of the face, among all corners of the mesh
+      next;              ///< the one after it around the face
+  bool outer;            ///< of one bundle alone
 };
 
 /// Side quads between `layer` (1 or above) and the one below, each once: of two bundles that share

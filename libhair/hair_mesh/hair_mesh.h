@@ -20,7 +20,9 @@ struct PolygonMesh {
   std::vector<std::uint32_t> firstCorner = {0};  ///< [faceCount + 1], never decreasing
   std::vector<std::uint32_t> corners;            ///< [cornerCount], vertex of each corner
 
+  /// How many polygons there are.
   std::size_t faceCount() const { return firstCorner.size() - 1; }
+  /// Vertices of polygon f.
   std::span<const std::uint32_t> face(std::size_t f) const {
     return std::span(corners).subspan(firstCorner[f], firstCorner[f + 1] - firstCorner[f]);
   }
@@ -44,12 +46,14 @@ struct PolygonMesh {
 /// Every vertex is a corner of a face; `validate` checks all that is said here. Space: head space,
 /// metres, as Groom. It is a value: copying it is how an edit is undone.
 struct HairMesh {
+  /// One layer: its vertices, and the faces that they make.
   struct Layer {
     std::vector<glm::vec3> positions;    ///< [vertexCount of this layer], metres
     std::vector<std::uint32_t> below;    ///< [vertexCount], vertex of the layer below; root: empty
     std::vector<std::uint32_t> corners;  ///< [cornerCount], vertex or kNoVertex
     std::vector<std::uint8_t> pinned;    ///< [vertexCount], 1: stays where the user put it
 
+    /// Vertices of this layer.
     std::size_t vertexCount() const { return positions.size(); }
   };
 
@@ -57,10 +61,14 @@ struct HairMesh {
   std::vector<std::uint32_t> lastLayer;          ///< [bundleCount], n_j: the tip's layer
   std::vector<Layer> layers;  ///< [layerCount], root first; the last is not empty
 
+  /// Bundles: faces of the scalp, with what stands on them.
   std::size_t bundleCount() const { return lastLayer.size(); }
+  /// Corners of one layer's faces, those above a tip included.
   std::size_t cornerCount() const { return firstCorner.back(); }
+  /// Layers, the scalp's included.
   std::size_t layerCount() const { return layers.size(); }
   std::size_t vertexCount() const;  ///< of all layers
+  /// Sides of each of the bundle's faces.
   std::uint32_t sides(std::size_t bundle) const {
     return firstCorner[bundle + 1] - firstCorner[bundle];
   }
@@ -76,7 +84,9 @@ struct HairMesh {
 
 /// One vertex of one layer.
 struct HairMeshVertex {
-  std::uint32_t layer = 0, vertex = 0;
+  std::uint32_t layer = 0,  ///< 0: the scalp
+      vertex = 0;           ///< in that layer
+  /// The same vertex of the same layer.
   bool operator==(const HairMeshVertex&) const = default;
 };
 

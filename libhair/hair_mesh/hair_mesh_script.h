@@ -15,8 +15,8 @@ namespace HAIR_API hair {
 
 /// A hairstyle: the volume, and the sets of strands that are grown in it.
 struct Hairstyle {
-  HairMesh mesh;
-  std::vector<StrandGroup> groups;
+  HairMesh mesh;                    ///< the volume
+  std::vector<StrandGroup> groups;  ///< in the order of the script
   /// [bundleCount], or empty: layers up to which the hair is tied to the head (MeshGroomSettings).
   std::vector<std::uint32_t> tied;
 };
@@ -28,12 +28,13 @@ struct Workshop;
 /// strands;
 /// `#` begins a comment. docs/formats.md lists the operations.
 struct HairMeshScript {
+  /// A line that holds an operation.
   struct Line {
-    std::size_t number;  ///< in the file, from 1
-    std::function<void(Workshop&)> apply;
+    std::size_t number;                    ///< in the file, from 1
+    std::function<void(Workshop&)> apply;  ///< the operation
   };
-  std::string name;  ///< of the file, for messages
-  std::vector<Line> lines;
+  std::string name;         ///< of the file, for messages
+  std::vector<Line> lines;  ///< in the order of the file
 };
 
 /// The bytes of a file that a script names (`scalp file NAME`, `include NAME`); throws Error where
@@ -52,6 +53,7 @@ struct ScriptLimits {
 
 /// Throws Error (file, line, cause) for a line that no operation understands.
 HairMeshScript parseHairMeshScript(std::string_view text, std::string_view name);
+/// The same from a file; throws Error where it cannot be read, too.
 HairMeshScript readHairMeshScript(const std::filesystem::path& file);
 
 /// A script that is applied line by line, as an editor does. The same lines give the same bits.
@@ -64,6 +66,7 @@ class ScriptRun {
   /// Applies a line, or throws Error (file, line, cause) and changes nothing.
   void apply(const HairMeshScript& script, std::size_t line);
 
+  /// The hairstyle as the lines so far left it.
   const Hairstyle& style() const;
 
  private:

@@ -5,6 +5,7 @@
 
 namespace HAIR_API hair {
 
+/// When to stop.
 struct PlacementSettings {
   /// How far, beside the mesh's size (the diagonal of the box around the vertices that are held), a
   /// free vertex may still be from where its neighbours want it (root mean square); above 0.
@@ -12,11 +13,12 @@ struct PlacementSettings {
   std::uint32_t maxIterations = 0;  ///< 0: as many as there are free vertices, at most 10,000
 };
 
+/// How the solver ended.
 struct PlacementResult {
-  std::uint32_t iterations = 0;
-  float residual = 0;     ///< what is left, in the unit of PlacementSettings::tolerance
-  bool converged = true;  ///< residual <= tolerance
-  bool unique = true;     ///< false: there are layers that nothing holds; they keep their centroid
+  std::uint32_t iterations = 0;  ///< of conjugate gradients
+  float residual = 0;            ///< what is left, in the unit of PlacementSettings::tolerance
+  bool converged = true;         ///< residual <= tolerance
+  bool unique = true;  ///< false: there are layers that nothing holds; they keep their centroid
 };
 
 /// Places interior vertices (Yuksel et al. 2009, section 3.3): of all places of the vertices that
@@ -49,6 +51,7 @@ class InteriorPlacement {
   /// in its range.
   PlacementResult place(HairMesh& mesh, const PlacementSettings& settings = {});
 
+  /// Vertices that are neither exterior nor pinned.
   std::size_t freeCount() const { return inverse_.size(); }
 
  private:

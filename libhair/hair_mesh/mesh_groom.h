@@ -8,6 +8,7 @@
 
 namespace HAIR_API hair {
 
+/// How a hair mesh becomes guides.
 struct MeshGroomSettings {
   /// 3 to kMaxGuidePoints; 0: as many as there are layers, so that links are about as long as the
   /// edges that they stand for, but 16 at least.

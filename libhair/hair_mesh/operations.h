@@ -17,7 +17,8 @@ namespace HAIR_API hair {
 
 /// Between two neighbouring corners of one layer, in either order.
 struct HairMeshEdge {
-  std::uint32_t a = 0, b = 0;
+  std::uint32_t a = 0,  ///< vertex of the layer
+      b = 0;            ///< vertex of the layer
 };
 
 /// Face Extrude: a new tip for each bundle, `distance` metres along the normals of the layer that
@@ -73,6 +74,7 @@ std::uint32_t divideFace(std::uint32_t bundle, std::uint32_t cornerA, std::uint3
 /// all layers of the bundle and of its neighbour across that edge of the scalp.
 void divideEdge(std::uint32_t bundle, std::uint32_t corner, HairMesh& mesh);
 
+/// By which rule a layer is refined.
 enum class Subdivision : std::uint8_t {
   CatmullClark,  ///< each face of n sides into n of four; Catmull and Clark 1978
   Loop,          ///< each triangle into four; Loop 1987. Refused unless all faces are triangles

@@ -12,7 +12,8 @@ using ScalpDensity = std::function<float(glm::vec3)>;
 
 /// A picture over the scalp, seen from above with the face towards the bottom: a ScalpDensity.
 struct DensityImage {
-  std::uint32_t width = 0, height = 0;
+  std::uint32_t width = 0,        ///< pixels
+      height = 0;                 ///< pixels
   std::vector<float> values;      ///< [height·width], rows from the back of the head to the face
   glm::vec2 lower{-0.1f, -0.1f};  ///< (x, z) of the picture's upper left corner, metres
   glm::vec2 upper{0.1f, 0.1f};    ///< (x, z) of its lower right corner
@@ -21,9 +22,10 @@ struct DensityImage {
   float operator()(glm::vec3 p) const;
 };
 
+/// How many roots, and which.
 struct RootSettings {
-  std::uint32_t strands = 10'000;
-  std::uint32_t seed = 1;
+  std::uint32_t strands = 10'000;  ///< in all
+  std::uint32_t seed = 1;          ///< of everything random
   /// > 0: as many roots a square metre where density is 1, whatever `strands` says. What one bundle
   /// has then depends on its own face alone.
   float perSquareMetre = 0;
@@ -38,7 +40,9 @@ struct HairMeshRoots {
   std::vector<float> weights;        ///< [firstWeight.back()], of the corners of the root's face
   std::vector<glm::vec3> positions;  ///< [rootCount], metres, when they were placed
 
+  /// How many roots there are.
   std::size_t rootCount() const { return bundle.size(); }
+  /// Weights of the corners of a root's face, as many as it has sides; sum 1.
   std::span<const float> weightsOf(std::size_t root) const {
     return std::span(weights).subspan(firstWeight[root], firstWeight[root + 1] - firstWeight[root]);
   }

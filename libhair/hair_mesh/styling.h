@@ -40,16 +40,16 @@ void style(const HairMesh& mesh, const HairMeshRoots& roots, const StylingSettin
 
 /// One set of strands grown from a mesh; a hairstyle is the union of several (figure 11).
 struct StrandGroup {
-  std::uint32_t strands = 10'000;
-  std::uint32_t points = 32;  ///< a strand, >= 2
-  std::uint32_t seed = 1;
-  StylingSettings styling = {};
-  float perSquareMetre = 0;  ///< > 0: instead of `strands` (RootSettings)
+  std::uint32_t strands = 10'000;  ///< in this group
+  std::uint32_t points = 32;       ///< a strand, >= 2
+  std::uint32_t seed = 1;          ///< of roots and styling
+  StylingSettings styling = {};    ///< what is done to them
+  float perSquareMetre = 0;        ///< > 0: instead of `strands` (RootSettings)
 };
 
 /// The union of groups of strands, one group after the other.
 struct GrownHair {
-  StrandSet strands;
+  StrandSet strands;                 ///< metres, head space, as HairMesh
   std::vector<std::uint32_t> group;  ///< [strandCount]
   std::vector<HairMeshRoots> roots;  ///< one a group
 };

@@ -16,8 +16,10 @@ TriangleMesh outerSurface(const HairMesh& mesh);
 
 /// Edges of faces, and from layer to layer, each once.
 struct HairMeshLine {
-  HairMeshVertex a, b;
+  HairMeshVertex a,  ///< one end
+      b;             ///< the other
 };
+/// All of them, layer by layer.
 std::vector<HairMeshLine> linesOf(const HairMesh& mesh);
 
 }  // namespace hair

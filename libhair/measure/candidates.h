@@ -15,7 +15,7 @@ namespace HAIR_API hair {
 struct ShadowCandidate {
   std::string method;  ///< methodName, or "auto": the density map that automaticMapSettings chose
   std::string label;   ///< "density map 3 mm ...", or "auto"; differs within a list, no commas
-  ShadowSettings settings;
+  ShadowSettings settings;  ///< what makeShadowMethod takes
 };
 
 /// How much of the space of settings is tried.

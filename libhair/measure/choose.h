@@ -25,18 +25,19 @@ struct ShadowBudget {
 
 /// Settings, and what they are predicted to do.
 struct PredictedShadow {
-  ShadowCandidate candidate;
-  PredictedTime time;
-  PredictedError error;
+  ShadowCandidate candidate;  ///< the settings
+  PredictedTime time;         ///< to build and sample
+  PredictedError error;       ///< against rays through fibres
 
   /// What a limit of errors is held against: the prediction and one standard error of it.
   double cautiousError() const { return error.meanAbsolute + error.standardError; }
 };
 
+/// What was chosen, and why.
 struct ShadowChoice {
-  PredictedShadow predicted;
-  std::string reason;     ///< for people: what limits, and what it was chosen among
-  std::size_t tried = 0;  ///< candidates whose error was predicted
+  PredictedShadow predicted;  ///< the winner
+  std::string reason;         ///< for people: what limits, and what it was chosen among
+  std::size_t tried = 0;      ///< candidates whose error was predicted
 };
 
 /// All settings that a choice is made among: those of shadowCandidates but the ones that are there

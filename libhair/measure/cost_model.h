@@ -14,25 +14,27 @@ namespace HAIR_API hair {
 
 /// The stages of shadow methods whose time is predicted, each with coefficients of its own.
 enum class CostStage {
-  DepositPoints,  ///< density map, whole build with that deposit
-  DepositColumns,
-  DepositSegments,
-  DepositTrilinear,
-  SampleCells,  ///< density map, filters of one or eight cells
-  SampleFootprint,
-  ShadowMapBuild,
-  ShadowMapSample,
-  OpacityMapBuild,
-  OpacityMapSample,
-  DeepOpacityMapBuild,
-  DeepOpacityMapSample,
-  ClusteringBuild,
-  ClusteringSample,
-  DeepShadowMapBuild,
-  DeepShadowMapSample,
-  Count
+  DepositPoints,         ///< density map, whole build with that deposit
+  DepositColumns,        ///< the same with Deposit::Columns
+  DepositSegments,       ///< the same with Deposit::Segments
+  DepositTrilinear,      ///< the same with Deposit::Trilinear
+  SampleCells,           ///< density map, filters of one or eight cells
+  SampleFootprint,       ///< density map, Filter::Footprint
+  ShadowMapBuild,        ///< shadow map
+  ShadowMapSample,       ///< shadow map
+  OpacityMapBuild,       ///< opacity shadow map
+  OpacityMapSample,      ///< opacity shadow map
+  DeepOpacityMapBuild,   ///< deep opacity map
+  DeepOpacityMapSample,  ///< deep opacity map
+  ClusteringBuild,       ///< density clustering
+  ClusteringSample,      ///< density clustering
+  DeepShadowMapBuild,    ///< deep shadow map
+  DeepShadowMapSample,   ///< deep shadow map
+  Count                  ///< how many there are
 };
+/// How many stages are predicted.
 inline constexpr std::size_t kCostStages = static_cast<std::size_t>(CostStage::Count);
+/// Coefficients of a stage, at the most.
 inline constexpr std::size_t kCostTerms = 5;
 
 /// How often a stage does what takes its time; costTerms says what each is.
@@ -41,8 +43,8 @@ using CostTerms = std::array<double, kCostTerms>;
 /// How fast this machine is, with this many threads, in nanoseconds a term. Plain numbers: fitted
 /// once by calibrate(), then kept for as long as machine, threads and library are the same.
 struct MachineCosts {
-  std::array<CostTerms, kCostStages> nanoseconds{};
-  int threads = 0;
+  std::array<CostTerms, kCostStages> nanoseconds{};  ///< [stage][term]
+  int threads = 0;                                   ///< that it was calibrated with
 };
 
 /// A line a stage: its name and its coefficients, nanoseconds.
@@ -50,8 +52,10 @@ std::string costText(const MachineCosts& machine);
 
 /// The stages that these settings build and sample with.
 struct CostStages {
-  CostStage build, sample;
+  CostStage build,  ///< of everything that is kept for a frame
+      sample;       ///< of transmittance at all points
 };
+/// The stages of these settings.
 CostStages costStages(const ShadowSettings& settings);
 
 /// What a stage does with this hair:
@@ -67,11 +71,14 @@ CostStages costStages(const ShadowSettings& settings);
 ///  - images, sample: points, points · what a point reads.
 CostTerms costTerms(CostStage stage, const HairFeatures& hair, const ShadowSettings& settings);
 
+/// How long these settings should take on a machine.
 struct PredictedTime {
   double buildMilliseconds = 0;   ///< in memory that an earlier build has left
   double sampleMilliseconds = 0;  ///< at all points of the hair
+  /// Both together: what a frame with moving hair pays.
   double milliseconds() const { return buildMilliseconds + sampleMilliseconds; }
 };
+/// The sum of costTerms times the machine's coefficients, of build and of sample.
 PredictedTime predictTime(const MachineCosts& machine, const HairFeatures& hair,
                           const ShadowSettings& settings);
 

@@ -10,12 +10,13 @@ namespace HAIR_API hair {
 /// How far transmittances are from the truth. Each figure has the standard error that the choice of
 /// points and the truth's own noise leave it.
 struct ErrorFigures {
+  /// A figure, and how sure it is.
   struct Figure {
-    double value = 0;
-    double standardError = 0;
+    double value = 0;          ///< of transmittance
+    double standardError = 0;  ///< of `value`
   };
-  Figure meanAbsolute;
-  Figure rms;
+  Figure meanAbsolute;  ///< mean of |measured - truth|
+  Figure rms;           ///< root of the mean of (measured - truth)²
   Figure percentile99;  ///< of the absolute error
   Figure bias;          ///< mean of (measured - truth); negative: too dark
 };

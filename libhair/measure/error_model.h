@@ -21,14 +21,14 @@ struct PilotSettings {
   /// Rays become four times as many until this is left of the truth's noise (root mean square), or
   /// until they are as many as may be.
   float noise = 5e-3f;
-  std::uint32_t seed = 0x9107u;
+  std::uint32_t seed = 0x9107u;  ///< of points and rays
 };
 
 /// Mean absolute error of transmittance that is expected at points of the hair, and the standard
 /// error of that: what the choice of the pilot's points and its rays leave open.
 struct PredictedError {
-  double meanAbsolute = 0;
-  double standardError = 0;
+  double meanAbsolute = 0;   ///< of transmittance
+  double standardError = 0;  ///< of meanAbsolute
 };
 
 /// Few exact points of this hair, against which any settings can be tried at the cost of one build.
@@ -52,6 +52,7 @@ class ErrorPilot {
   /// cannot shadow this hair.
   PredictedError predict(const ShadowSettings& settings);
 
+  /// Points of the pilot.
   std::size_t pointCount() const { return points_.size(); }
   std::uint32_t rays() const { return rays_; }  ///< a point, both halves
 

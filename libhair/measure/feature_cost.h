@@ -14,21 +14,22 @@ namespace HAIR_API hair {
 
 /// What was seen of the whole scene while it was measured.
 struct SceneWatch {
-  std::int64_t frames = 0;
+  std::int64_t frames = 0;  ///< that were seen
   double pushed = 0;        ///< share of guide points, over all frames, that self-collision pushes
   float darkest = 1;        ///< least transmittance of any point
   int cells = 0;            ///< of the light's map along each axis
   glm::ivec3 cellsUsed{0};  ///< the most that the hair spanned along each of the map's axes
   std::uint32_t saturatedCells = 0;  ///< the most of any frame
+  /// Frames in which the hair was larger than the map (DensityMap::aliased).
   std::int64_t aliasedFrames = 0;
 };
 
 /// A part of a scene that can be left out.
 struct Feature {
-  std::string name;
-  std::vector<Stage> stages;  ///< that run for it alone; empty: none does
-  std::function<bool(const MeasuredScene&)> isOn;
-  std::function<void(MeasuredScene&)> turnOff;                     ///< of a copy
+  std::string name;                                ///< for people
+  std::vector<Stage> stages;                       ///< that run for it alone; empty: none does
+  std::function<bool(const MeasuredScene&)> isOn;  ///< in this scene
+  std::function<void(MeasuredScene&)> turnOff;     ///< of a copy
   std::function<std::string(const SceneWatch&)> advice = nullptr;  ///< "": none; null: the same
 };
 
@@ -37,7 +38,7 @@ std::vector<Feature> featuresOf(const MeasuredScene& scene);
 
 /// What a feature costs. Times are of a frame, in milliseconds.
 struct FeatureCost {
-  std::string name;
+  std::string name;             ///< Feature::name
   std::optional<double> ownMs;  ///< medians of its stages, added; none where it has no stage
   double savedMs = 0;           ///< median over blocks of what the frame is faster without it
   double savedMsError = 0;      ///< standard error of that
@@ -51,13 +52,15 @@ struct FeatureCost {
   std::string advice;                ///< one line, or empty
 };
 
+/// What a scene costs as it is, and what each of its features does to that.
 struct FeaturePlan {
-  double frameMs = 0;  ///< median of a frame with everything that is on
-  double bytes = 0;    ///< hairBytes then
-  SceneWatch watch;
-  std::vector<FeatureCost> features;
+  double frameMs = 0;                 ///< median of a frame with everything that is on
+  double bytes = 0;                   ///< hairBytes then
+  SceneWatch watch;                   ///< what was seen meanwhile
+  std::vector<FeatureCost> features;  ///< in the order of the features measured
 };
 
+/// How long to measure.
 struct FeatureCostSettings {
   int blocks = 24;         ///< >= 2
   int framesPerBlock = 5;  ///< >= 2; the first of a block warms the caches and is not counted

@@ -28,10 +28,11 @@ namespace HAIR_API hair {
 ///            slower than a step: cells that pass under the hair. The truth bends a little over all
 ///            steps too: compare with the truth's own figure.
 struct Flicker {
-  double shimmer = 0;
-  double swim = 0;
+  double shimmer = 0;  ///< of transmittance
+  double swim = 0;     ///< of transmittance
 };
 
+/// How the light turns.
 struct FlickerSettings {
   float degrees = 0.1f;  ///< a step of the light, > 0
   int steps = 20;        ///< >= 2

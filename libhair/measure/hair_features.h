@@ -15,7 +15,9 @@ namespace HAIR_API hair {
 /// Lengths in metres; under a light at a point those of its mapping (CellFrame), which are metres
 /// at the pivot.
 struct HairFeatures {
-  double strands = 0, points = 0, segments = 0;
+  double strands = 0,  ///< how many
+      points = 0,      ///< of all strands
+      segments = 0;    ///< of all strands
   glm::dvec3 size{0};  ///< of the hair's box
   glm::dvec3 way{
       0};  ///< sum over segments of |dx|, |dy|, |dz|: walls crossed, times their distance
@@ -27,8 +29,8 @@ struct HairFeatures {
 
   /// How many boxes of side coarsest / 2^level hold hair, level after level.
   struct Occupied {
-    std::vector<double> count;
-    double coarsest = 1;
+    std::vector<double> count;  ///< [levels], the coarsest first
+    double coarsest = 1;        ///< side of level 0
     /// At any side; between levels, and beyond them, a power of the side.
     double at(double side) const;
   };
@@ -37,6 +39,7 @@ struct HairFeatures {
 
   /// Cells of this size that segments enter: one each, and one a wall.
   double cellsCrossed(double cell) const { return segments + (way.x + way.y + way.z) / cell; }
+  /// The same for pixels of this size, seen by the light.
   double pixelsCrossed(double pixel) const { return segments + (way.y + way.z) / pixel; }
 };
 

@@ -12,11 +12,11 @@ namespace HAIR_API hair {
 /// What a measurement performs, again and again: hair on a body that moves. A copy whose fields are
 /// changed is the same scene with something left out.
 struct MeasuredScene {
-  std::shared_ptr<const Groom> groom;
+  std::shared_ptr<const Groom> groom;  ///< shared by all copies
   const MeshSdf* head = nullptr;  ///< collider in head space, null: none; must outlive the scene
-  FrameSettings settings;
-  WispSettings wisps;
-  bool bodyContact = true;  ///< false: the body's capsules are not there
+  FrameSettings settings;         ///< what a frame computes
+  WispSettings wisps;             ///< how drawn strands keep out of colliders
+  bool bodyContact = true;        ///< false: the body's capsules are not there
   /// Where head and body are `seconds` after the start: Motion::pose.
   std::function<void(double seconds, BodyPose& out)> pose;
   float frameSeconds = 1.0f / 60;  ///< of the picture, (0, 1]
@@ -40,11 +40,11 @@ struct ScenePlayer {
   /// Where the body is: valid until the next step.
   BodyState body() const;
 
-  MeasuredScene scene;
-  BodyPose pose;
-  Hair hair;
-  FrameProfile profile{};  ///< of the last frame
-  std::int64_t frames = 0;
+  MeasuredScene scene;      ///< a copy of what was asked for
+  BodyPose pose;            ///< at the last frame's end
+  Hair hair;                ///< as the last frame left it
+  FrameProfile profile{};   ///< of the last frame
+  std::int64_t frames = 0;  ///< so far
 };
 
 }  // namespace hair

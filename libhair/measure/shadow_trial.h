@@ -20,17 +20,17 @@ namespace HAIR_API hair {
 
 /// What ways to shadow are tried on: hair under one light, and the truth at some of its points.
 struct TrialScene {
-  StrandView strands;
-  Fibre fibre;
-  LightSpace light;
+  StrandView strands;                   ///< not owned
+  Fibre fibre;                          ///< what each strand stands for
+  LightSpace light;                     ///< where light comes from
   std::span<const SamplePoint> points;  ///< [truth.transmittance.size()]
-  const Truth& truth;
+  const Truth& truth;                   ///< not owned
   std::span<const glm::vec3> probes{};  ///< where else transmittance is wanted, on a ray say
 };
 
 /// What a way to shadow costs, and how far from the truth it is.
 struct ShadowTrial {
-  ShadowCandidate candidate;
+  ShadowCandidate candidate;  ///< what was tried
   std::string failure;  ///< why it cannot shadow this hair; empty: it can. All below is empty else
   ErrorFigures error;   ///< at the scene's points
   double buildMilliseconds = 0;      ///< median; in memory that an earlier build has left
@@ -41,6 +41,7 @@ struct ShadowTrial {
                                      ///< out, as in the truth, where the method knows how
   std::vector<float> probes;         ///< [scene.probes.size()], by sample
 
+  /// Whether `failure` says anything.
   bool failed() const { return !failure.empty(); }
   /// Build and sample: what a frame with moving hair pays.
   double milliseconds() const { return buildMilliseconds + sampleMilliseconds; }

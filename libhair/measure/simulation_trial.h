@@ -19,23 +19,23 @@ struct TipDistance {
 
 /// One run, and how far it is from the run that it is compared with.
 struct SimulationRow {
-  int substeps = 0;  ///< a frame
-  LinkSolver linkSolver = LinkSolver::Direct;
-  int iterations = 0;  ///< of the link solver a substep
-  std::size_t guides = 0;
-  TipDistance tips;
-  float stretchMax = 0;      ///< GuideStats, the worst of all frames
-  float penetrationMax = 0;  ///< metres
-  double guidesMs = 0;       ///< median of Stage::Guides
-  double wispsMs = 0;        ///< median of Stage::Wisps
+  int substeps = 0;                            ///< a frame
+  LinkSolver linkSolver = LinkSolver::Direct;  ///< how links were kept at their lengths
+  int iterations = 0;                          ///< of the link solver a substep
+  std::size_t guides = 0;                      ///< that were simulated
+  TipDistance tips;                            ///< from the run compared with
+  float stretchMax = 0;                        ///< GuideStats, the worst of all frames
+  float penetrationMax = 0;                    ///< metres
+  double guidesMs = 0;                         ///< median of Stage::Guides
+  double wispsMs = 0;                          ///< median of Stage::Wisps
 };
 
 /// What is run. Every count is of a frame of the scene.
 struct SimulationTrialSettings {
-  int frames = 120;
-  int earlyFrames = 30;        ///< of TipDistance; no more than frames
-  int referenceSubsteps = 64;  ///< even; of the converged run
-  std::vector<int> substeps{1, 2, 4, 8, 16, 32};
+  int frames = 120;                               ///< of each run, >= 1
+  int earlyFrames = 30;                           ///< of TipDistance; no more than frames
+  int referenceSubsteps = 64;                     ///< even; of the converged run
+  std::vector<int> substeps{1, 2, 4, 8, 16, 32};  ///< a frame; a row for each
   std::vector<int> iterations{1, 4};  ///< beside the scene's own, at the scene's own substeps
   std::vector<int> relaxation{1, 2, 4, 8, 16, 32};  ///< iterations of LinkSolver::Relaxation there
 };

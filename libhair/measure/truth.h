@@ -16,11 +16,12 @@ namespace HAIR_API hair {
 
 /// From a point against the light, and how far.
 struct ShadowRay {
-  glm::vec3 origin;
+  glm::vec3 origin;      ///< metres
   glm::vec3 toLight;     ///< unit
   float length;          ///< metres; INFINITY for parallel light
   std::uint32_t strand;  ///< its fibre is not seen; kNoStrand: all are
 };
+/// No strand: none is left out.
 inline constexpr std::uint32_t kNoStrand = 0xffffffffu;
 
 /// Rays through fibres of real width: every strand is a tube of width w = fibre.width ·
@@ -40,9 +41,9 @@ std::unique_ptr<FibreTracer> makeGridTracer(StrandView strands, const Fibre& fib
 
 /// A strand point at which transmittance is wanted.
 struct SamplePoint {
-  std::uint32_t strand;
-  std::uint32_t point;  ///< in StrandView::points
-  glm::vec3 position;
+  std::uint32_t strand;  ///< that the point is of
+  std::uint32_t point;   ///< in StrandView::points
+  glm::vec3 position;    ///< metres
 };
 
 /// `count` points, each of its own strand as long as there are strands enough, chosen at random by
@@ -50,11 +51,12 @@ struct SamplePoint {
 std::vector<SamplePoint> chooseSamplePoints(StrandView strands, std::size_t count,
                                             std::uint32_t seed);
 
+/// How the truth is averaged.
 struct TruthSettings {
   float footprint =
       3e-3f;  ///< radius of the disc across the light that is averaged over, metres, >= 0
   std::uint32_t rays = 2048;  ///< a point, >= 2
-  std::uint32_t seed = 1;
+  std::uint32_t seed = 1;     ///< of where rays begin
 };
 
 /// Transmittance and the standard error of that figure.

@@ -45,13 +45,17 @@ struct Groom {
   std::vector<glm::vec3>
       offsets;  ///< [pointCount], metres in the main guide's frame, or empty: none
 
-  Fibre fibre;
+  Fibre fibre;  ///< what each drawn strand stands for
 
+  /// How many guides there are.
   std::size_t guideCount() const {
     return pointsPerGuide > 0 ? guidePoints.size() / pointsPerGuide : 0;
   }
+  /// Drawn strands.
   std::size_t strandCount() const { return parents.size(); }
+  /// Points of all drawn strands.
   std::size_t pointCount() const { return first.back(); }
+  /// Points of guide g, root first.
   std::span<const glm::vec3> guide(std::size_t g) const {
     return std::span(guidePoints).subspan(g * pointsPerGuide, pointsPerGuide);
   }

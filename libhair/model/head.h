@@ -10,9 +10,10 @@ namespace HAIR_API hair {
 /// origin at the joint on which the head turns. The neck is closed 0.11 m below the origin, where
 /// it is as wide as a body's neck (radius 0.05 m).
 struct Head {
-  TriangleMesh mesh;
+  TriangleMesh mesh;  ///< head space, metres
 };
 
+/// Makes its mesh from headField; the same bits every time.
 Head builtinHead();
 
 /// Distance to the built-in head's surface, metres, negative inside; within about 20 % of the

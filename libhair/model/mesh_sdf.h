@@ -46,11 +46,14 @@ class MeshSdf {
 
   /// Its arrays, for kernels that look up many points at once (mesh_sdf-inl.h).
   struct Field {
-    Bounds box;
-    float cell, perCell, margin;
-    const float* distances;
-    const glm::vec3* gradients;
+    Bounds box;                  ///< what the grid covers, metres
+    float cell,                  ///< of the grid, metres
+        perCell,                 ///< 1 / cell
+        margin;                  ///< metres around the mesh
+    const float* distances;      ///< [nodes.x · nodes.y · nodes.z], x fastest, metres
+    const glm::vec3* gradients;  ///< the same shape, metres a metre
   };
+  /// Valid as long as this is.
   Field field() const {
     return {box_, cell_, perCell_, margin_, distances_.data(), gradients_.data()};
   }

@@ -14,9 +14,10 @@ namespace HAIR_API hair {
 /// Where every point of new strands comes from in old ones: between points `index` and
 /// `index + 1`, at t. With t = 0 it is an old point, bit for bit.
 struct ResamplePlan {
+  /// Where one new point is.
   struct Sample {
-    std::uint32_t index;
-    float t;  ///< [0, 1)
+    std::uint32_t index;  ///< of an old point
+    float t;              ///< [0, 1)
   };
   std::vector<Sample> samples;             ///< [new pointCount]
   std::vector<std::uint32_t> first = {0};  ///< [new strandCount + 1]

@@ -10,6 +10,7 @@
 
 namespace HAIR_API hair {
 
+/// The hairstyles that are built in.
 enum class Style : std::uint8_t {
   Smooth,  ///< brown hair to the shoulders (Bertails et al. 2005, figures 1 and 9)
   Curly,   ///< the same wisps, wound into locks
@@ -23,18 +24,18 @@ struct StyleSettings {
   std::uint32_t points = 31;          ///< a drawn strand, >= 2
   std::uint32_t wisps = 134;          ///< of three guides each, >= 1
   std::uint32_t pointsPerGuide = 16;  ///< >= 3
-  std::uint32_t seed = 1;
-  float hairs = 100'000;  ///< that the drawn strands stand for together
+  std::uint32_t seed = 1;             ///< of everything random
+  float hairs = 100'000;              ///< that the drawn strands stand for together
 
   // The cut: a guide ends at the cut height, or at the greatest length.
   float cutHeightFront = -0.13f;  ///< beside the face, head space
-  float cutHeightBack = -0.17f;
-  float minLength = 0.16f;
-  float maxLength = 0.38f;
+  float cutHeightBack = -0.17f;   ///< at the back of the head, head space
+  float minLength = 0.16f;        ///< no guide is cut shorter, but for lengthVariation
+  float maxLength = 0.38f;        ///< no guide is longer, but for lengthVariation
   float lengthVariation = 0.04f;  ///< share of the length, from wisp to wisp
 
   // How it lies.
-  Parting parting = {};
+  Parting parting = {};       ///< where hair falls to either side
   float partingJitter = 0;    ///< how far from it wisps still fall to either side
   float partAtShoulders = 1;  ///< 0: hair lies on them, 1: it falls before or behind them
   float volume = 0.016f;      ///< how far the uppermost hair lies from the head
@@ -51,12 +52,13 @@ struct StyleSettings {
   float curlJitter = 0.5f;  ///< radians of phase between strands of one lock
 
   // Random deviations (course, "Random Variations"): of the tips of many, of the whole of few.
-  float tipShare = 0.3f;
-  float tipDeviation = 0.008f;
-  float wholeShare = 0.1f;
-  float wholeDeviation = 0.006f;
+  float tipShare = 0.3f;          ///< of strands, [0, 1]
+  float tipDeviation = 0.008f;    ///< metres, at the tip, the most
+  float wholeShare = 0.1f;        ///< of strands, [0, 1]
+  float wholeDeviation = 0.006f;  ///< metres, about the most
 };
 
+/// What each style is made with.
 StyleSettings styleSettings(Style style);
 
 /// Grows a hairstyle on the built-in head, whose distance field is `headSdf` (cells of 4 mm do).
@@ -66,6 +68,7 @@ StyleSettings styleSettings(Style style);
 /// settings out of range.
 Groom makeGroom(const StyleSettings& settings, const MeshSdf& headSdf);
 
+/// Metres; see makeGroom.
 inline constexpr float kGuideClearance = 0.002f;
 
 }  // namespace hair

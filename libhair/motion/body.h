@@ -12,10 +12,18 @@ namespace HAIR_API hair {
 
 /// Which joint is which part of a human body; -1: not found. Sides: 0 left, 1 right.
 struct BodyMap {
-  int hips = -1, chest = -1, neck = -1, head = -1;
+  int hips = -1,           ///< where the legs part
+      chest = -1,          ///< that the arms hang on
+      neck = -1,           ///< below the head
+      head = -1;           ///< that the head turns on
   std::vector<int> spine;  ///< from below the hips' child up to the chest, chest included
-  std::array<int, 2> collar{-1, -1}, upperArm{-1, -1}, foreArm{-1, -1}, hand{-1, -1};
-  std::array<int, 2> thigh{-1, -1}, shin{-1, -1}, foot{-1, -1};
+  std::array<int, 2> collar{-1, -1},  ///< between chest and arm
+      upperArm{-1, -1},               ///< shoulder
+      foreArm{-1, -1},                ///< elbow
+      hand{-1, -1};                   ///< wrist
+  std::array<int, 2> thigh{-1, -1},   ///< hip joint
+      shin{-1, -1},                   ///< knee
+      foot{-1, -1};                   ///< ankle
 
   /// All that a torso, two arms and two legs need.
   bool complete() const;
@@ -23,8 +31,10 @@ struct BodyMap {
 
 /// A capsule that moves with joints: `a` is fixed in the frame of jointA, `b` in that of jointB.
 struct BodyCapsule {
-  int jointA, jointB;
-  glm::vec3 a, b;       ///< in the joints' frames, metres
+  int jointA,           ///< that carries a
+      jointB;           ///< that carries b
+  glm::vec3 a,          ///< in the frame of jointA, metres
+      b;                ///< in the frame of jointB, metres
   float radius;         ///< metres
   bool yields = false;  ///< gets thinner where it presses against head or trunk: makeRoomForHair
 };
@@ -34,8 +44,8 @@ struct BodyCapsule {
 /// *Body space*: metres, +Y up, +Z where the body faces, +X to its left, origin between the feet.
 /// *Rest stance*: upright, legs straight down, arms straight out to the sides (a T).
 struct Body {
-  Skeleton skeleton;
-  BodyMap map;
+  Skeleton skeleton;  ///< the joints, with lengths of bones
+  BodyMap map;        ///< which of them is what
   /// [jointCount], bodyFromJoint in the rest stance, whatever the skeleton's own zero pose is.
   std::vector<RigidTransform> rest;
   /// Constant turn from head space (see Groom: +Y up, +Z face) to the frame of joint map.head.

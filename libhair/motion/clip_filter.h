@@ -8,6 +8,7 @@
 
 namespace HAIR_API hair {
 
+/// What counts as a flip.
 struct FlipSettings {
   float minDegrees = 1.2f;  ///< a jump smaller than this is never a flip
   float ratio = 3.0f;       ///< how far it must stand out against the motion around it
@@ -16,7 +17,7 @@ struct FlipSettings {
 
 /// A joint that for one or two frames jumped away and came back.
 struct Flip {
-  std::size_t joint;
+  std::size_t joint;  ///< that jumped
   std::size_t frame;  ///< first bad frame
   int frames;         ///< how many
   float degrees;      ///< from where the joint should have been

@@ -13,8 +13,9 @@ class MeshSdf;
 
 /// A sphere swept from a to b; a sphere where a == b. Metres, world space.
 struct Capsule {
-  glm::vec3 a, b;
-  float radius;
+  glm::vec3 a,   ///< one end of the axis
+      b;         ///< the other
+  float radius;  ///< metres
 };
 
 /// xyz = unit direction away from the capsule's axis, w = distance to its surface (metres, negative
@@ -58,9 +59,9 @@ struct Plane {
 
 /// A closed mesh by its distance field (sharedSdf), placed at worldFromMesh.point(scale · p).
 struct MeshCollider {
-  const MeshSdf* sdf = nullptr;  ///< must stay there while it is used; not null
-  RigidTransform worldFromMesh{};
-  float scale = 1;  ///< (0, 1000)
+  const MeshSdf* sdf = nullptr;    ///< must stay there while it is used; not null
+  RigidTransform worldFromMesh{};  ///< rotation and place of the mesh
+  float scale = 1;                 ///< (0, 1000)
 };
 
 /// What stands around head and body, or is worn: floor, furniture, a hat, a scanned body.
@@ -68,10 +69,14 @@ struct Scenery {
   std::span<const Plane> planes{};         ///< at most kMaxPlanes
   std::span<const MeshCollider> meshes{};  ///< at most kMaxMeshes
 
+  /// Nothing to collide with.
   bool empty() const { return planes.empty() && meshes.empty(); }
 };
 
-inline constexpr std::size_t kMaxPlanes = 8, kMaxMeshes = 8;
+/// Planes of a Scenery, at the most.
+inline constexpr std::size_t kMaxPlanes = 8;
+/// Meshes of a Scenery, at the most.
+inline constexpr std::size_t kMaxMeshes = 8;
 
 /// Throws Error that names what is wrong: too many, a normal that is not unit, a scale or a
 /// rotation out of range, no distance field, anything that is not finite.
@@ -87,6 +92,7 @@ glm::vec4 distanceAndGradient(const MeshCollider& mesh, glm::vec3 p);
 
 /// From `before` (t = 0) to `after` (t = 1): the shortest turn at constant speed, straight ways.
 Plane blend(const Plane& before, const Plane& after, float t);
+/// Of a mesh, likewise; the two have the same distance field.
 MeshCollider blend(const MeshCollider& before, const MeshCollider& after, float t);
 
 }  // namespace hair

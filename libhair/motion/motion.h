@@ -18,26 +18,32 @@ struct BodyPose {
   std::vector<RigidTransform> worldFromJoint;  ///< [jointCount], to draw the body
 };
 
+/// What of a clip is used, and what is repaired.
 struct MotionSettings {
   bool dropLeadIn = true;      ///< drop a calibration pose at the start (leadInFrames)
   std::size_t firstFrame = 0;  ///< of the clip as it comes; > 0 instead of dropLeadIn
   std::size_t lastFrame = 0;   ///< one past the last; 0: to the end
-  bool removeFlips = true;
-  FlipSettings flips;
+  bool removeFlips = true;     ///< joints that jump for a frame or two (hair::removeFlips)
+  FlipSettings flips;          ///< what counts as one
 };
 
 /// A body that moves: a recorded clip, the built-in dance, or nobody moving at all.
 class Motion {
  public:
+  /// Throws Error for a clip without frames, or frames that it does not have.
   explicit Motion(Clip clip, const MotionSettings& settings = {});
+  /// The dance that comes with the library: a loop.
   static Motion dance();
+  /// Somebody who stands still.
   static Motion still();
 
   /// Seconds; 0: never moves. Later times hold the last pose, negative ones the first; a loop
   /// (isLoop) goes round instead.
   double duration() const { return clip_.duration(); }
+  /// Whether time goes round after duration().
   bool isLoop() const { return loop_; }
 
+  /// Where head, body and joints are at a time.
   BodyPose pose(double seconds) const;
   /// No allocation where `out` comes from an earlier call.
   void pose(double seconds, BodyPose& out) const;
@@ -46,8 +52,11 @@ class Motion {
   /// the frames (leaps leave the floor, spikes go through it).
   float floorHeight() const { return floorHeight_; }
 
+  /// Who moves.
   const Body& body() const { return body_; }
+  /// What is played: without dropped frames and flips.
   const Clip& clip() const { return clip_; }
+  /// Frames of the clip as it came that were left out at its start.
   std::size_t droppedFrames() const { return droppedFrames_; }
   const std::vector<Flip>& flips() const { return flips_; }  ///< frames of clip()
 

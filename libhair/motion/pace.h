@@ -28,7 +28,9 @@ class Pace {
   }
   /// Real time that passes while paused is neither owed nor dropped.
   void setPaused(bool paused) { paused_ = paused; }
+  /// As set; 1 at first.
   double speed() const { return speed_; }
+  /// As set; false at first.
   bool paused() const { return paused_; }
 
   /// Frames to run after `seconds` more of real time. A clock that went backwards, or is not a

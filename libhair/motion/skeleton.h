@@ -24,16 +24,18 @@ struct Skeleton {
   /// metres; zero where a joint has none.
   std::vector<glm::vec3> tips;
 
+  /// How many joints there are.
   std::size_t jointCount() const { return parents.size(); }
 };
 
 /// A recorded motion: joint rotations and positions relative to the parent, frame by frame.
 struct Clip {
-  Skeleton skeleton;
+  Skeleton skeleton;                 ///< whose joints these are
   double frameTime = 1.0 / 120.0;    ///< seconds, > 0
   std::vector<glm::quat> rotations;  ///< [frameCount · jointCount], joints of a frame together
   std::vector<glm::vec3> positions;  ///< [frameCount · jointCount], in the parent, metres
 
+  /// How many frames there are.
   std::size_t frameCount() const {
     return skeleton.jointCount() ? rotations.size() / skeleton.jointCount() : 0;
   }

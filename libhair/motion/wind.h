@@ -11,14 +11,16 @@ namespace HAIR_API hair {
 
 /// A Wind at one time: a steady flow, and waves of velocity.
 struct WindField {
+  /// A sine over space: swing · sin(2 pi (perMetre · p + phase)).
   struct Wave {
     glm::vec3 perMetre{0};  ///< turns
     float phase = 0;        ///< turns, at the origin
     glm::vec3 swing{0};     ///< m/s
   };
-  glm::vec3 steady{0};  ///< m/s
-  std::array<Wave, 4> waves{};
+  glm::vec3 steady{0};          ///< m/s
+  std::array<Wave, 4> waves{};  ///< gusts, and one wave across the flow
 
+  /// Velocity of the air at p, m/s.
   glm::vec3 at(glm::vec3 p) const {
     glm::vec3 v = steady;
     for (const Wave& wave : waves)
@@ -53,6 +55,7 @@ struct Wind {
     return glm::dot(velocity, velocity) < 4e4f && gust >= 0 && gust <= 1 && gustLength >= 1e-3f &&
            gustLength < 1e6f && shelter >= 0 && shelter <= 1;
   }
+  /// No wind at all.
   bool still() const { return velocity == glm::vec3(0); }
 
   /// At time t (seconds): incommensurate waves that are carried along the flow, and a weaker one

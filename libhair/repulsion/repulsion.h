@@ -20,9 +20,9 @@ enum class RepulsionKind {
 
 /// Self-collision: hair that is denser than it was groomed spreads out.
 struct RepulsionSettings {
-  RepulsionKind kind = RepulsionKind::Gradient;
-  float cellSize = 0.02f;  ///< metres; of the map of density that guides feel
-  int cells = 64;          ///< along each axis; cells · cellSize as DensityMapSettings says
+  RepulsionKind kind = RepulsionKind::Gradient;  ///< which way it pushes
+  float cellSize = 0.02f;                        ///< metres; of the map of density that guides feel
+  int cells = 64;  ///< along each axis; cells · cellSize as DensityMapSettings says
   std::uint32_t strandStride = 32;  ///< every so many drawn strands are counted, for all
   float threshold = 1.5e6f;         ///< metres of hair per m³ that never push
   float tolerance = 1.3f;           ///< nor does less than the groom's own density times this, >= 1

@@ -13,8 +13,8 @@ namespace HAIR_API hair {
 
 /// How hair looks (Kajiya and Kay 1989). Colours are linear, not sRGB.
 struct KajiyaKaySettings {
-  glm::vec3 rootColour{0.115f, 0.055f, 0.026f};
-  glm::vec3 tipColour{0.19f, 0.098f, 0.047f};  ///< in between linear along the strand
+  glm::vec3 rootColour{0.115f, 0.055f, 0.026f};  ///< at the root
+  glm::vec3 tipColour{0.19f, 0.098f, 0.047f};    ///< in between linear along the strand
   float variation = 0.25f;  ///< strands are up to this part lighter or darker, [0, 1]
   float ambient = 0.25f;    ///< of the colour, lit from everywhere by white light
   float diffuse = 1.0f;     ///< of the colour, times the sine of the angle to the light
@@ -23,9 +23,9 @@ struct KajiyaKaySettings {
   /// A second highlight, in the hair's own colour, moved towards the tip, as light that went
   /// through the fibre leaves it (after Marschner et al. 2003). 0: none, as Kajiya and Kay.
   float secondSpecular = 0.6f;
-  float secondExponent = 14.0f;
-  float firstShift = -0.06f;  ///< radians that the first highlight moves towards the tip
-  float secondShift = 0.12f;  ///< radians that the second one does
+  float secondExponent = 14.0f;  ///< of the second highlight; larger is narrower
+  float firstShift = -0.06f;     ///< radians that the first highlight moves towards the tip
+  float secondShift = 0.12f;     ///< radians that the second one does
 
   /// The model of the paper and nothing else: one highlight, unmoved, all strands alike.
   static KajiyaKaySettings plain();

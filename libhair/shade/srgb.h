@@ -14,6 +14,7 @@ class SrgbTable {
   /// The one table, made at first use.
   static const SrgbTable& get();
 
+  /// The byte for `linear`; NaN gives 0.
   std::uint8_t operator()(float linear) const {
     // NaN compares false and becomes kLeast: black.
     const float x = linear > kLeast ? (linear < 1.0f ? linear : 1.0f) : kLeast;
@@ -24,6 +25,7 @@ class SrgbTable {
 
   /// For those who look up many at once: as operator() does.
   const std::int32_t* bytes() const { return bytes_; }
+  /// Leading bits of the mantissa that the table tells apart.
   static constexpr int kMantissaBits = 9;
   static constexpr float kLeast = 0x1p-13f;  ///< 0.4 of the step from 0 to 1: shown as 0
 

@@ -17,7 +17,9 @@ namespace HAIR_API hair {
 /// brick of 1 KiB is 16 rows of one cache line each. A strand leaves most of its cells in the brick
 /// where it left the last one.
 namespace brick {
-inline constexpr int kX = 4, kY = 16, kZ = 4;
+inline constexpr int kX = 4,                ///< cells of a brick along the light
+    kY = 16,                                ///< across it; a row of lanes
+    kZ = 4;                                 ///< across it
 inline constexpr int kLayer = kY * kZ;      ///< cells of one slice of a brick
 inline constexpr int kCells = kX * kLayer;  ///< cells of a brick
 
@@ -48,6 +50,7 @@ class BrickStore {
   std::size_t across() const {
     return static_cast<std::size_t>(perAxis_.y) * static_cast<std::size_t>(perAxis_.z);
   }
+  /// Made for a grid; one that is {} is not.
   bool valid() const { return !slots_.empty(); }
   std::size_t size() const { return places_.size(); }     ///< bricks that exist
   std::size_t sizeBefore() const { return sizeBefore_; }  ///< those that the last clear() took
@@ -72,9 +75,11 @@ class BrickStore {
   /// Place of slot 1, 2 ...
   std::span<const std::uint32_t> places() const { return places_; }
 
+  /// The kCells cells of a brick, as brick::offset orders them.
   std::uint32_t* cells(std::uint32_t slot) {
     return cells_.get() + slot * std::size_t{brick::kCells};
   }
+  /// The same, to read.
   const std::uint32_t* cells(std::uint32_t slot) const {
     return cells_.get() + slot * std::size_t{brick::kCells};
   }
@@ -141,6 +146,7 @@ class BrickStore {
 /// slice, and must not be read.
 class Transmittances {
  public:
+  /// Bit of a code: all slices read one layer.
   static constexpr std::uint32_t kFixed = 0x80000000u;
   static constexpr int kRow = brick::kY + 1;       ///< floats of a row
   static constexpr int kLayer = brick::kZ * kRow;  ///< of a layer
@@ -153,8 +159,11 @@ class Transmittances {
     values_.reset(new float[slots_ * kLayers * kLayer]);
     for (std::size_t c = 0; c < std::size_t{kLayers} * kLayer; ++c) values_[c] = 1.0f;
   }
+  /// Code of a brick that is there.
   static std::uint32_t code(std::uint32_t slot) { return slot * kLayers + 1; }
+  /// kLayer floats of a layer, by its number.
   float* layer(std::uint32_t number) { return values_.get() + number * std::size_t{kLayer}; }
+  /// All layers, one after the other.
   const float* data() const { return values_.get(); }
   /// Row z (within its brick) of slice x (within its brick) of what a code says.
   const float* row(std::uint32_t code, std::uint32_t x, int z) const {

@@ -13,10 +13,14 @@ namespace HAIR_API hair {
 /// The cell coordinates of up to 64 points, one array a component: straight loops that vectorise,
 /// with the same bits as CellFrame::cellCoordinates point by point.
 struct CellBatch {
-  static constexpr std::size_t kSize = 64;
+  static constexpr std::size_t kSize = 64;  ///< points, at the most
 
-  float x[kSize], y[kSize], z[kSize];  ///< unwrapped cell coordinates
-  int i[kSize], j[kSize], k[kSize];    ///< their floors
+  float x[kSize],  ///< unwrapped cell coordinates, along the light
+      y[kSize],    ///< across it
+      z[kSize];    ///< across it
+  int i[kSize],    ///< floor of x
+      j[kSize],    ///< floor of y
+      k[kSize];    ///< floor of z
 
   /// points.size() <= kSize; `shift` is subtracted from the coordinates.
   void fill(const CellFrame& frame, std::span<const glm::vec3> points, glm::vec3 shift) {

@@ -9,15 +9,19 @@
 
 namespace HAIR_API hair {
 
+/// The cell that unwrapped cell coordinates lie in.
 inline glm::ivec3 floorToCell(glm::vec3 u) {
   return {floorToInt(u.x), floorToInt(u.y), floorToInt(u.z)};
 }
 
 /// One axis of a walk through the cells along a segment.
 struct AxisWalk {
-  int way, left;     // direction of the next wall, walls to cross
-  float next, step;  // the next wall and the way from wall to wall, in the segment's parameter
+  int way,     ///< direction of the next wall, 1 or -1
+      left;    ///< walls to cross
+  float next,  ///< the next wall, in the segment's parameter, [0, 1]; kNever: none
+      step;    ///< from wall to wall, in the same
 
+  /// From coordinate a, in `cell`, to coordinate b, in cell `last`, along this axis.
   AxisWalk(float a, float b, int cell, int last) : way(last > cell ? 1 : -1), left(last - cell) {
     const float perParameter = 1.0f / (b - a);
     const float wall = static_cast<float>(cell + (way > 0 ? 1 : 0));
@@ -36,7 +40,7 @@ struct AxisWalk {
     next = left == 0 ? kNever : further;
   }
 
-  static constexpr float kNever = 2.0f;
+  static constexpr float kNever = 2.0f;  ///< farther than any wall
 };
 
 }  // namespace hair

@@ -41,19 +41,21 @@ enum class Quantity {
   Length,        ///< metres of hair per cell; what self-collision needs
 };
 
+/// What a map is made of, how it is filled and how it is read.
 struct DensityMapSettings {
   int cells = 128;  ///< along each axis (the paper's NCELLS), 2 to 1024
   /// Metres (the paper's ds), 1e-6 to 1e6; as large as the shadow's footprint.
   float cellSize = 7.5e-3f;
-  Deposit deposit = Deposit::Columns;
-  Filter filter = Filter::Centred;
+  Deposit deposit = Deposit::Columns;  ///< how strands are written
+  Filter filter = Filter::Centred;     ///< how points are read
   /// Metres, Filter::Footprint only: 0 to 10 cells; below one cell it is as Centred.
   float footprint = 0;
-  Quantity quantity = Quantity::OpticalDepth;
+  Quantity quantity = Quantity::OpticalDepth;  ///< what is summed up
   /// Extinction of one point (the paper's f), 1/metre, Deposit::Points only. 0: chosen so that
   /// points at the strands' mean spacing and all directions alike darken as segments would.
   float pointExtinction = 0;
 
+  /// Length of an edge of the map, metres: beyond it cells repeat.
   float extent() const { return static_cast<float>(cells) * cellSize; }
 };
 
@@ -89,14 +91,15 @@ DensityMapSettings settingsForFootprint(float footprint, float extentNeeded, int
 /// what was deposited in unwrapped cells, so that the slice nearest to the light is known, and a
 /// point outside (another body, the ground) never reads a cell that belongs to the other end.
 struct DensityMap {
-  DensityMapSettings settings;
-  LightSpace light;
-  CellFrame frame;
+  DensityMapSettings settings;  ///< as clear() was given them
+  LightSpace light;             ///< as clear() was given it
+  CellFrame frame;              ///< from points to cells
   float quantum = 0;      ///< what one count means: optical depth or metres, 0 before any deposit
   float fibreShadow = 0;  ///< width · extinctionOf of one fibre deposited, metres (the largest)
 
   // Unwrapped cells that hold hair; lower > upper while there is none.
-  glm::ivec3 lower{INT_MAX}, upper{INT_MIN};
+  glm::ivec3 lower{INT_MAX},  ///< the first cell along each axis; > upper: none holds hair
+      upper{INT_MIN};         ///< the last cell along each axis
 
   BrickStore bricks;                 ///< counts: fixed-point density
   std::vector<BrickStore> workers;   ///< what other threads deposited, before it was added up
@@ -105,10 +108,11 @@ struct DensityMap {
   Transmittances transmittances;     ///< of the bricks
   /// [runs][across] codes, see Transmittances; written where a filter may read them (bricksToRead)
   std::vector<std::uint32_t> lightIn;
-  /// [0]: what is before the hair; [1 + s]: slice s of the hair. Where the codes of its run stand
-  /// in lightIn, and which slice of its bricks it is.
-  std::vector<std::int32_t> sliceRun, sliceInBrick;
+  /// [0]: what is before the hair; [1 + s]: slice s of the hair.
+  std::vector<std::int32_t> sliceRun,  ///< where the codes of its run stand in lightIn
+      sliceInBrick;                    ///< likewise: which slice of its run's bricks it is
 
+  /// Nothing was deposited.
   bool empty() const { return lower.x > upper.x; }
   /// Slices between the first and the last that hold hair, at most `cells`.
   int depth() const;
@@ -119,6 +123,7 @@ struct DensityMap {
   /// that: at most four times as much again, and as much a thread.
   std::size_t bytes() const;
 
+  /// An index folded into [0, cells).
   int wrap(int i) const {
     const int n = settings.cells;
     // The hair is hardly ever farther than one map from its anchor: no division then.
@@ -158,6 +163,7 @@ struct DensitySample {
   float density = 0;      ///< as DensityMap::density
   glm::vec3 gradient{0};  ///< per metre, in world axes
 };
+/// At a point in metres; 0 off the hair.
 DensitySample sampleDensity(const DensityMap& map, glm::vec3 p);
 
 }  // namespace hair

@@ -29,6 +29,7 @@ void sampleStrandTransmittance(const DensityMap& map, StrandView strands, std::s
 /// they are in the cache for something else. The map must stay as it is meanwhile.
 class TransmittanceSampler {
  public:
+  /// What the points are.
   enum class Of {
     Points,   ///< as sampleTransmittance
     Strands,  ///< as sampleStrandTransmittance

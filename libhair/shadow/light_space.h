@@ -28,6 +28,7 @@ struct LightSpace {
   glm::vec3 direction() const {
     return {lightFromWorld[0][0], lightFromWorld[1][0], lightFromWorld[2][0]};
   }
+  /// Whether this is the frame of a light at a point.
   bool atPoint() const { return curvature > 0; }
   /// Where a light at a point is.
   glm::vec3 position() const { return pivot - direction() / curvature; }
@@ -127,6 +128,7 @@ struct CellFrame {
     return {(2.0f * v.x + k * (v.x * v.x + v.y * v.y + v.z * v.z)) / (1.0f + rho), g * v.y,
             g * v.z};
   }
+  /// From u to v.
   static glm::vec3 straighten(glm::vec3 u, float k) {
     const float square = u.y * u.y + u.z * u.z;
     const float part = 1.0f / (4.0f + k * k * square);
@@ -135,6 +137,7 @@ struct CellFrame {
   }
 };
 
+/// Cells of `cellSize` metres, `cells` an axis. Of a light at a point the anchor is its pivot.
 inline CellFrame makeCellFrame(const LightSpace& light, glm::vec3 anchor, float cellSize,
                                int cells) {
   if (light.atPoint()) {

@@ -23,6 +23,7 @@ namespace HAIR_API hair {
 /// Costs a walk along each column through the thing's bounds, in steps as long as the distance to
 /// it. Throws Error for a map of Quantity::Length.
 void occlude(const MeshSdf& mesh, const RigidTransform& worldFromMesh, DensityMap& map);
+/// The same for a body.
 void occlude(std::span<const Capsule> capsules, DensityMap& map);
 
 }  // namespace hair

@@ -6,6 +6,7 @@
 
 namespace HAIR_API hair {
 
+/// How guides are chosen among strands.
 struct BindSettings {
   std::uint32_t guides = 402;         ///< chosen among the strands, at most as many as there are
   std::uint32_t pointsPerGuide = 16;  ///< 2 to kMaxGuidePoints

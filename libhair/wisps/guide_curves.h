@@ -24,8 +24,12 @@ namespace HAIR_API hair {
 struct GuideCurves {
   /// Orthonormal; offsets of drawn strands are in it.
   struct Frame {
-    glm::vec3 normal, binormal, tangent;
+    glm::vec3 normal,  ///< carried along by parallel transport
+        binormal,      ///< tangent × normal
+        tangent;       ///< towards the tip
+    /// A vector of this frame in world axes.
     glm::vec3 toWorld(glm::vec3 v) const { return v.x * normal + v.y * binormal + v.z * tangent; }
+    /// A vector in world axes, in this frame.
     glm::vec3 fromWorld(glm::vec3 v) const {
       return {glm::dot(v, normal), glm::dot(v, binormal), glm::dot(v, tangent)};
     }
@@ -33,12 +37,15 @@ struct GuideCurves {
 
   /// The Catmull-Rom weights of one sample on four guide points from `start` on.
   struct Sample {
-    std::uint32_t start;
-    float weights[4];
+    std::uint32_t start;  ///< first of the four points
+    float weights[4];     ///< sum 1
   };
 
   /// Where the vectors of a guide begin among its rows, and how many rows there are.
-  static constexpr std::size_t kPoint = 0, kNormal = 3, kTangent = 6, kRows = 9;
+  static constexpr std::size_t kPoint = 0,  ///< row of a point's x
+      kNormal = 3,                          ///< row of a normal's x
+      kTangent = 6,                         ///< row of a tangent's x
+      kRows = 9;                            ///< of a guide
 
   std::uint32_t samples = 0;  ///< a guide
   std::vector<Sample> basis;  ///< [samples]
@@ -46,18 +53,23 @@ struct GuideCurves {
   /// sixteen values can be read from any place.
   std::vector<float> rows;
   /// [groupCount]; boxes of the points of a group's guides, metres.
-  std::vector<LaneVec3> lower, upper;
+  std::vector<LaneVec3> lower,  ///< corner towards -x, -y, -z
+      upper;                    ///< corner towards +x, +y, +z
 
   /// Room for these guides at `samples` >= 2 a guide. Throws Error below that.
   GuideCurves(const GuideStrands& guides, std::uint32_t samples);
 
+  /// How many guides there are.
   std::size_t guideCount() const { return (rows.size() - kLanes) / (kRows * samples); }
+  /// One component at all samples of a guide: [samples].
   const float* row(std::size_t guide, std::size_t component) const {
     return rows.data() + (guide * kRows + component) * samples;
   }
+  /// A sample of a guide, metres, world.
   glm::vec3 point(std::size_t guide, std::uint32_t sample) const {
     return vector(guide, kPoint, sample);
   }
+  /// The frame at a sample.
   Frame frame(std::size_t guide, std::uint32_t sample) const {
     const glm::vec3 normal = vector(guide, kNormal, sample),
                     tangent = vector(guide, kTangent, sample);

@@ -15,7 +15,7 @@ namespace HAIR_API hair {
 /// How drawn strands are kept out of colliders (SIGGRAPH 2010 course, "Avoiding interpolated hair
 /// collisions").
 struct WispSettings {
-  bool avoidColliders = true;
+  bool avoidColliders = true;     ///< false: drawn strands are not kept out of colliders
   float clearance = 1e-3f;        ///< metres that drawn points keep from colliders, [0, 0.1)
   std::uint32_t blendPoints = 4;  ///< points above the first hit over which a strand changes over
 };
@@ -40,10 +40,10 @@ struct Wisps {
                                       (2 * last));
   }
 
-  const Groom* groom;
-  WispSettings settings;
+  const Groom* groom;             ///< as given; not owned
+  WispSettings settings;          ///< as given
   std::vector<glm::vec3> points;  ///< [pointCount], metres, world
-  GuideCurves curves;
+  GuideCurves curves;             ///< of the guides, sampled at the last frame
   /// [strandCount]; where the root sits in the frame at its main guide's root, metres: the offset
   /// that single-strand interpolation keeps along the whole strand.
   std::vector<glm::vec3> rootOffsets;

@@ -26,14 +26,14 @@ struct DeepOpacityMapSettings {
     InLastLayer,   ///< counts for the last layer, and shadows itself
     LargerLayers,  ///< does not exist: layers are scaled so that the last one ends behind all hair
   };
-  float pixelSize = 3e-3f;  ///< metres, > 0
-  int layers = 7;           ///< K, 1 to 255
-  Growth growth = Growth::Linear;
-  Beyond beyond = Beyond::InLastLayer;
+  float pixelSize = 3e-3f;              ///< metres, > 0
+  int layers = 7;                       ///< K, 1 to 255
+  Growth growth = Growth::Linear;       ///< of layers, away from the light
+  Beyond beyond = Beyond::InLastLayer;  ///< hair behind the last layer
   float depth = 0.05f;  ///< metres, d[K], > 0: of all layers together, but for LargerLayers
   int depthBits = 32;   ///< 8, 16 or 32 (float), of the stored z0
-  Extinction extinction = Extinction::Unbiased;
-  LateralFilter filter = LateralFilter::Linear;
+  Extinction extinction = Extinction::Unbiased;  ///< how opacity becomes optical depth
+  LateralFilter filter = LateralFilter::Linear;  ///< between pixels
 };
 
 /// Throws Error for settings out of range.

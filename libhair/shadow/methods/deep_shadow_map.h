@@ -18,15 +18,15 @@ class ShadowMethod;
 struct DeepShadowMapSettings {
   float pixelSize = 3e-3f;  ///< metres, > 0
   float tolerance = 0.01f;  ///< of transmittance, >= 0; 0: every fragment is kept
-  Extinction extinction = Extinction::Unbiased;
-  LateralFilter filter = LateralFilter::Linear;
+  Extinction extinction = Extinction::Unbiased;  ///< how opacity becomes optical depth
+  LateralFilter filter = LateralFilter::Linear;  ///< between pixels
 };
 
 /// A vertex of a visibility function: linear between two, a step between two at the same depth, 1
 /// in front of the first, constant behind the last.
 struct VisibilityVertex {
-  float depth;
-  float transmittance;
+  float depth;          ///< along the light, in pixels
+  float transmittance;  ///< [0, 1]
 };
 
 /// Appends the vertices of a function that is nowhere farther than `tolerance` (to rounding) from

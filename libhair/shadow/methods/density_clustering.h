@@ -22,18 +22,19 @@ struct DensityClusteringSettings {
     Uniform,       ///< evenly between a pixel's first and last fragment
     TowardsLight,  ///< closer together near the light, where shadows change most
   };
-  float pixelSize = 3e-3f;  ///< metres, > 0
-  int clusters = 4;         ///< K, 1 to 64
-  int iterations = 1;       ///< of k-means, >= 1
-  Start start = Start::Uniform;
-  Extinction extinction = Extinction::Unbiased;
-  LateralFilter filter = LateralFilter::Linear;
+  float pixelSize = 3e-3f;                       ///< metres, > 0
+  int clusters = 4;                              ///< K, 1 to 64
+  int iterations = 1;                            ///< of k-means, >= 1
+  Start start = Start::Uniform;                  ///< of k-means
+  Extinction extinction = Extinction::Unbiased;  ///< how opacity becomes optical depth
+  LateralFilter filter = LateralFilter::Linear;  ///< between pixels
 };
 
 /// A piece of depth over which optical depth grows evenly; where from = to, at once.
 struct DepthBin {
-  float from, to;
-  float opticalDepth;
+  float from,          ///< depth along the light, in pixels
+      to;              ///< >= from, in pixels
+  float opticalDepth;  ///< of the whole piece
 };
 
 /// The clusters of one ray, from fragments to bins (sections 3.2 and 3.3). The weight of a fragment

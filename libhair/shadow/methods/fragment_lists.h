@@ -21,13 +21,15 @@ struct PixelFragment {
 /// The fragments of every pixel, those nearest to the light first; of one depth, the thinnest
 /// first.
 struct FragmentLists {
-  std::vector<std::uint32_t> first;  ///< [pixelCount + 1]: pixel p has [first[p], first[p + 1])
-  std::vector<PixelFragment> fragments;
+  std::vector<std::uint32_t> first;      ///< [pixelCount + 1]: pixel p has [first[p], first[p + 1])
+  std::vector<PixelFragment> fragments;  ///< of all pixels, one pixel after the other
   std::vector<std::uint32_t> next;  ///< [pixelCount], scratch: where the pixel's next fragment goes
 
+  /// Fragments of pixel p, front to back.
   std::span<const PixelFragment> pixel(std::size_t p) const {
     return std::span(fragments).subspan(first[p], first[p + 1] - first[p]);
   }
+  /// Memory of the fragments and offsets.
   std::size_t bytes() const;
 };
 

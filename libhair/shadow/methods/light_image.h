@@ -19,13 +19,14 @@ namespace HAIR_API hair {
 /// the light share. Pixels are the cells of a CellFrame seen along the light; depths run along the
 /// light in units of a pixel.
 struct LightImage {
-  CellFrame frame;
+  CellFrame frame;      ///< from points to pixels and depths
   glm::ivec2 lower{0};  ///< unwrapped cell (y, z) of pixel (0, 0)
   glm::ivec2 size{0};   ///< pixels; the hair's bounds and a margin of one pixel
   float nearest = 0;    ///< depth of the first hair
   float farthest = 0;   ///< and of the last
   float pixelSize = 0;  ///< metres (at the pivot of a light at a point)
 
+  /// Pixels of the whole image.
   std::size_t pixelCount() const {
     return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   }
@@ -34,6 +35,7 @@ struct LightImage {
     return static_cast<std::size_t>(z - lower.y) * static_cast<std::size_t>(size.x) +
            static_cast<std::size_t>(y - lower.x);
   }
+  /// Whether the image has pixel (y, z).
   bool inside(int y, int z) const {
     return y >= lower.x && z >= lower.y && y < lower.x + size.x && z < lower.y + size.y;
   }

@@ -14,10 +14,10 @@ class ShadowMethod;
 /// hair; each pixel of each slice sums the opacity of what lies in it; between two planes the sum
 /// is interpolated linearly.
 struct OpacityMapSettings {
-  float pixelSize = 3e-3f;  ///< metres, > 0
-  int slices = 16;          ///< 1 to 1024
-  Extinction extinction = Extinction::Unbiased;
-  LateralFilter filter = LateralFilter::Linear;
+  float pixelSize = 3e-3f;                       ///< metres, > 0
+  int slices = 16;                               ///< 1 to 1024
+  Extinction extinction = Extinction::Unbiased;  ///< how opacity becomes optical depth
+  LateralFilter filter = LateralFilter::Linear;  ///< between pixels
 };
 
 /// Throws Error for settings out of range.
