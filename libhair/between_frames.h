@@ -5,8 +5,8 @@
 
 namespace HAIR_API hair {
 
-/// What may happen to hair between two frames. Each keeps the hair's motion as far as it can; what
-/// is drawn of a hair that stands still (transmittance, colours) is made again by light().
+// What may happen to hair between two frames. Each keeps the hair's motion as far as it can; what
+// is drawn of a hair that stands still (transmittance, colours) is made again by light().
 
 /// To another place with its head: everything that moves is turned and moved as the head is to get
 /// to `worldFromHead`, velocities and the colliders of the frame before included, so that the hair

@@ -32,7 +32,6 @@ REFERENCE = """
         <tab type="modules" visible="yes" title="By stage"
              intro="Folder by folder, in the order that data flows:"/>
         <tab type="classlist" visible="yes" title="Types"/>
-        <tab type="namespacemembers" visible="yes" title="All names" intro=""/>
         <tab type="filelist" visible="yes" title="Headers"/>
       </tab>"""
 

@@ -7,10 +7,9 @@
 
 namespace HAIR_API hair {
 
-/// Kernels are compiled for several instruction sets, and run with the best that the CPU has. Names
-/// are Google Highway's: "AVX3" (AVX-512), "AVX2", "NEON", "SCALAR" (any CPU: SSE2 on x86-64).
-
-/// The one that kernels use now.
+/// The instruction set that kernels use now. They are compiled for several, and run with the best
+/// that the CPU has. Names are Google Highway's: "AVX3" (AVX-512), "AVX2", "NEON", "SCALAR" (any
+/// CPU: SSE2 on x86-64).
 std::string_view instructionSet();
 
 /// Those that kernels are compiled for and this CPU has, best first.

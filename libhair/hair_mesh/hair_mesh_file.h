@@ -10,17 +10,17 @@
 
 namespace HAIR_API hair {
 
-/// Hair meshes as OBJ files that any polygon modeller opens and saves: one object a layer, `o
-/// layer_0` the scalp, metres, +Y up. Such programs keep the order of objects' faces and corners
-/// and little else, so the order alone says what belongs together: bundles stand by descending n_j,
-/// the m_k faces of layer k are of the first m_k bundles, and corner i of a face goes on as corner
-/// i of the face of the same number in the next layer. (docs/formats.md)
+/// Reads a hair mesh from an OBJ file, as any polygon modeller opens and saves it: one object a
+/// layer, `o layer_0` the scalp, metres, +Y up. Such programs keep the order of objects' faces and
+/// corners and little else, so the order alone says what belongs together: bundles stand by
+/// descending n_j, the m_k faces of layer k are of the first m_k bundles, and corner i of a face
+/// goes on as corner i of the face of the same number in the next layer. (docs/formats.md)
 ///
 /// Objects whose names all begin with `layer_` and a number are layers in the order of these
 /// numbers, whatever follows (`layer_2.001`); others in the order of the file. Groups (`g`) are the
 /// objects of a file without `o`. Objects without faces, vertices without faces, normals, texture
 /// coordinates, materials and unknown lines are left alone. Pins are not in the file.
-
+///
 /// Throws Error (file, line or layer, cause) for what is no hair mesh.
 HairMesh readHairMesh(const std::filesystem::path& file);
 

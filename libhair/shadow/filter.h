@@ -25,8 +25,8 @@ void sampleTransmittance(const DensityMap& map, std::span<const glm::vec3> point
 /// in [0, 1].
 void sampleStrandTransmittance(const DensityMap& map, StrandView strands, std::span<float> out);
 
-/// The same for a caller with loops and threads of its own: looks up any part of the points, where
-/// they are in the cache for something else. The map must stay as it is meanwhile.
+/// Transmittance for a caller with loops and threads of its own: looks up any part of the points,
+/// where they are in the cache for something else. The map must stay as it is meanwhile.
 class TransmittanceSampler {
  public:
   /// What the points are.

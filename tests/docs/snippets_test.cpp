@@ -1,4 +1,4 @@
-// The programs of docs/concepts, compiled and run: tests/docs/check_pages.py compares them word by word.
+// The programs of docs/concepts, compiled and run; check_pages.py compares them word by word.
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -38,10 +38,6 @@ TEST(ConceptPages, ALoadedFileBecomesAGroom) {
 }
 
 TEST(ConceptPages, AFrameMovesShadowsAndShadesHair) {
-  const hair::MeshSdf headSdf(hair::builtinHead().mesh, 0.006f, 0.03f);
-  hair::StyleSettings style = hair::styleSettings(hair::Style::Smooth);
-  style.strands = 300, style.wisps = 30;
-  const hair::Groom groom = hair::makeGroom(style, headSdf);
   const int frames = 3;
   std::size_t drawn = 0;
   const auto draw = [&](hair::StrandView strands, const std::vector<std::uint32_t>& colours) {
@@ -49,10 +45,12 @@ TEST(ConceptPages, AFrameMovesShadowsAndShadesHair) {
     EXPECT_EQ(strands.pointCount(), colours.size());
   };
 
+  const hair::MeshSdf head(hair::builtinHead().mesh, 0.004f, 0.03f);
+  const hair::Groom groom = hair::makeGroom(hair::styleSettings(hair::Style::Smooth), head);
   const hair::Motion motion = hair::Motion::dance();
   hair::BodyPose pose = motion.pose(0);
   const hair::FrameSettings settings;
-  hair::Hair hair(groom, settings, {pose.worldFromHead, pose.capsules}, &headSdf);
+  hair::Hair hair(groom, settings, {pose.worldFromHead, pose.capsules}, &head);
 
   hair::FrameProfile profile{};
   for (int f = 1; f <= frames; ++f) {
