@@ -32,11 +32,11 @@ REFERENCE = """
         <tab type="modules" visible="yes" title="By stage"
              intro="Folder by folder, in the order that data flows:"/>
         <tab type="classlist" visible="yes" title="Types"/>
-        <tab type="filelist" visible="yes" title="Headers"/>
+        <tab type="filelist" visible="yes" title="Headers"/>{more}
       </tab>"""
 
 
-def layout(pages):
+def layout(pages, c_headers):
     """The top menu. What else Doxygen lays out stays as it is."""
     left = {"index"} | {p for group in MENU.values() for p in group}
     menu = {title: [p for p in group if p in pages] for title, group in MENU.items()}
@@ -48,7 +48,9 @@ def layout(pages):
             tabs.append(f'        <tab type="user" url="@ref {site_filter.page_id(pages[page])}" '
                         f'title={quoteattr(site_filter.short_title(pages[page]))}/>')
         tabs.append("      </tab>")
-    return ('<doxygenlayout version="1.0">\n  <navindex>\n    ' + "\n".join(tabs) + REFERENCE +
+    more = "".join(f'\n        <tab type="user" url="@ref {site_filter.header_page_id(h)}" '
+                   f'title={quoteattr(h.name + " for C")}/>' for h in c_headers)
+    return ('<doxygenlayout version="1.0">\n  <navindex>\n    ' + "\n".join(tabs) + REFERENCE.format(more=more) +
             "\n  </navindex>\n</doxygenlayout>\n")
 
 
@@ -65,15 +67,20 @@ def main():
     for part in ("html", "xml"):
         shutil.rmtree(out / part, ignore_errors=True)
     out.mkdir(parents=True, exist_ok=True)
-    (out / "layout.xml").write_text(layout(pages))
+    c_headers = site_filter.c_headers(root)
+    (out / "layout.xml").write_text(layout(pages, c_headers))
+    (out / "c_headers.dox").write_text("".join(
+        f"/** \\page {site_filter.header_page_id(h)} {h.name}: the interface for C\n"
+        f"    \\include {h.relative_to(root)} */\n" for h in c_headers))
 
-    inputs = [docs / "site" / "stages.dox", *pages.values(), *site_filter.public_headers(root)]
+    inputs = [docs / "site" / "stages.dox", out / "c_headers.dox", *pages.values(), *site_filter.public_headers(root)]
     filter_command = f"{sys.executable} {docs / 'site' / 'site_filter.py'}"
     settings = {
         "PROJECT_NUMBER": version,
         "INPUT": " ".join(f'"{p}"' for p in inputs),
         "USE_MDFILE_AS_MAINPAGE": docs / "index.md",
         "OUTPUT_DIRECTORY": out,
+        "EXAMPLE_PATH": root,
         "LAYOUT_FILE": out / "layout.xml",
         "HTML_FOOTER": docs / "site" / "footer.html",
         "HTML_EXTRA_STYLESHEET": docs / "site" / "site.css",

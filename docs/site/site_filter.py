@@ -34,6 +34,15 @@ def public_headers(root):
     return [h for h in sorted((root / "libhair").rglob("*.h")) if PUBLIC in h.read_text()]
 
 
+def c_headers(root):
+    """Headers for C, with comments of their own kind: the reference shows them as they are."""
+    return [h for h in sorted((root / "libhair").rglob("*.h")) if 'extern "C" {' in h.read_text()]
+
+
+def header_page_id(file):
+    return "header_" + re.sub(r"\W", "_", str(file.relative_to(root_of(file) / "libhair")))
+
+
 def root_of(file):
     return next(p for p in file.resolve().parents if (p / "docs" / "Doxyfile").is_file())
 
@@ -123,6 +132,8 @@ def page_for_doxygen(file, text):
             return f"[{label}](@ref {page_id(there)}{'_' + anchor if same else ''})"
         if str(there) in headers:
             return reference(label.strip("`"), there.relative_to(root))
+        if there in c_headers(root):
+            return reference(label.strip("`"), header_page_id(there))
         return label
 
     def reference(code, name):

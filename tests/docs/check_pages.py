@@ -101,6 +101,10 @@ def check_site(root, out):
         if not any(d.endswith(str(header.relative_to(root))) for d in documented):
             yield f"{header.relative_to(root)} is not in the reference"
 
+    for header in site_filter.c_headers(root):
+        if not (site / f"{site_filter.header_page_id(header)}.html").is_file():
+            yield f"{header.relative_to(root)} is not in the reference"
+
     # Doxygen does not ask for words on these.
     for file in sorted((out / "xml").glob("*.xml")):
         for value in xml.etree.ElementTree.parse(file).iter("enumvalue"):
