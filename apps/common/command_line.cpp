@@ -74,24 +74,30 @@ void addVectors(CLI::App& command, const std::string& name, std::vector<glm::vec
       ->type_name("X,Y,Z");
 }
 
-void addReadOptions(CLI::App& command, ReadOptions& read) {
-  command
-      .add_option("--scale", read.scale,
-                  "metres per unit of the file; default: .hair 0.00465, others 1")
-      ->check(within(1e-9, 1e9));
+void addUpOption(CLI::App& command, const std::string& name, UpAxis& up, const std::string& help) {
   command
       .add_option_function<std::string>(
-          "--up",
-          [&read](const std::string& text) {
+          name,
+          [&up, name](const std::string& text) {
             try {
-              read.up = upAxisFromText(text);
+              up = upAxisFromText(text);
             } catch (const Error& e) {
-              throw CLI::ValidationError("--up", e.what());
+              throw CLI::ValidationError(name, e.what());
             }
           },
-          "axis of the file that points up: y (face +z), z (face +y), z-back (face -y: Blender), "
-          "x, y-down; default: .hair z, others y")
+          help)
       ->type_name("AXIS");
+}
+
+void addReadOptions(CLI::App& command, ReadOptions& read) {
+  command
+      .add_option(
+          "--scale", read.scale,
+          "metres per unit of the file; default: what it states, or .hair 0.00465, others 1")
+      ->check(within(1e-9, 1e9));
+  addUpOption(command, "--up", read.up,
+              "axis of the file that points up: y (face +z), z (face +y), z-back (face -y: "
+              "Blender), x, y-down; default: what it states, or .hair z, others y");
 }
 
 void addHairOptions(CLI::App& command, SubjectOptions& subject) {
@@ -104,7 +110,8 @@ void addHairOptions(CLI::App& command, SubjectOptions& subject) {
                     ->type_name("STYLE");
   command
       .add_option("--hair", subject.hair,
-                  "hair of a file instead: .hair, .tfx or .data; or a hair mesh: .hairmesh or .obj")
+                  "hair of a file instead: .hair, .tfx, .data, .ply or .usda; or a hair mesh: "
+                  ".hairmesh or .obj")
       ->excludes(style);
   command
       .add_option("--strands", subject.strands,

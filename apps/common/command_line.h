@@ -25,6 +25,9 @@ namespace hair {
 void addVectors(CLI::App& command, const std::string& name, std::vector<glm::vec3>& values,
                 const std::string& help);
 
+/// NAME AXIS
+void addUpOption(CLI::App& command, const std::string& name, UpAxis& up, const std::string& help);
+
 /// --scale, --up
 void addReadOptions(CLI::App& command, ReadOptions& read);
 

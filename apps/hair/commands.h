@@ -22,19 +22,21 @@ namespace hair {
 
 /// hair info FILE
 struct InfoOptions {
-  std::filesystem::path file;  ///< .hair, .tfx, .data, .obj or .bvh
+  std::filesystem::path file;  ///< strands of any format, a mesh (.obj) or a motion (.bvh)
   ReadOptions read;
 };
 void runInfo(const InfoOptions& options);
 
 /// hair convert IN OUT
 struct ConvertOptions {
-  std::filesystem::path in;   ///< .hair, .tfx or .data
-  std::filesystem::path out;  ///< .hair
+  std::filesystem::path in;   ///< strands of any format, or a sequence of them
+  std::filesystem::path out;  ///< the same
   ReadOptions read;
-  std::size_t strands = 0;  ///< keep so many, chosen at random but always the same; 0: all
-  std::size_t points = 0;   ///< a strand, evenly along its length; 0: as they are
-  float minLength = 1e-3f;  ///< shorter strands are dropped, metres
+  WriteOptions write;
+  std::optional<std::size_t> frame;  ///< of a sequence, from 0; none: all, or the first
+  std::size_t strands = 0;           ///< keep so many, chosen at random but always the same; 0: all
+  std::size_t points = 0;            ///< a strand, evenly along its length; 0: as they are
+  float minLength = 1e-3f;           ///< shorter strands are dropped, metres
 };
 void runConvert(const ConvertOptions& options);
 
@@ -43,8 +45,8 @@ struct SimulateOptions {
   SubjectOptions subject;
   PerformanceOptions performance;
   int frames = 120;
-  int threads = 0;            ///< 0: as many as the machine has
-  std::filesystem::path out;  ///< .hair; one file a frame, numbered before the extension
+  int threads = 0;              ///< 0: as many as the machine has
+  std::filesystem::path cache;  ///< a sequence (strand_sequence.h); numbered where it has to be
   std::filesystem::path loadState, saveState;  ///< where the run starts and ends; empty: at rest
   ResultFiles results;
 };

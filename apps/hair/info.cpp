@@ -5,7 +5,10 @@
 #include <apps/hair/commands.h>
 #include <apps/hair/info_rows.h>
 #include <libhair/files/bvh_file.h>
+#include <libhair/files/byte_reader.h>
 #include <libhair/files/obj.h>
+#include <libhair/files/strand_sequence.h>
+#include <libhair/files/text_reader.h>
 
 namespace hair {
 
@@ -32,7 +35,9 @@ std::vector<float> rootSpacings(StrandView strands) {
 }
 
 void printStrands(const InfoOptions& options) {
-  const StrandFile file = readStrands(options.file, options.read);
+  StrandSequenceReader in(options.file, options.read);
+  StrandFile file;
+  in.read(0, file);
   const StrandSet& strands = file.strands;
   std::vector<float> lengths, counts;
   for (std::size_t s = 0; s < strands.strandCount(); ++s) {
@@ -43,6 +48,9 @@ void printStrands(const InfoOptions& options) {
 
   row("file") << options.file.string() << '\n';
   row("format") << '.' << file.format << ": " << file.arrays << '\n';
+  if (const std::size_t frames = in.frameCount(); frames > 1)
+    row("frames") << frames << ", " << in.seconds(frames - 1) - in.seconds(0)
+                  << " s from first to last; below: the first\n";
   row("read as") << file.scale << " m per unit, " << upAxisMeaning(file.up) << " (--up "
                  << upAxisText(file.up) << "); below: metres, +Y up, +Z face\n";
   row("strands") << strands.strandCount() << '\n';
@@ -62,6 +70,19 @@ void printStrands(const InfoOptions& options) {
     const Quantiles t = quantiles(file.thickness);
     row("thickness") << t.least << " to " << t.most << " m, median " << t.median << " m\n";
   }
+}
+
+// Whether an OBJ file has lines, and no faces.
+bool holdsLines(const std::filesystem::path& file) {
+  const std::string bytes = readWholeFile(file);
+  TextReader in(bytes, file.string());
+  bool lines = false;
+  while (in.nextLine()) {
+    const std::string_view word = in.word();
+    if (word == "f") return false;
+    lines = lines || word == "l" || word == "p";
+  }
+  return lines;
 }
 
 void printMesh(const InfoOptions& options) {
@@ -104,7 +125,7 @@ void runInfo(const InfoOptions& options) {
   std::cout << std::setprecision(4);
   std::string extension = options.file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".obj") return printMesh(options);
+  if (extension == ".obj" && !holdsLines(options.file)) return printMesh(options);
   if (extension == ".bvh") return printMotion(options);
   printStrands(options);
 }

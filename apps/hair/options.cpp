@@ -9,10 +9,20 @@ namespace hair {
 
 namespace {
 
+// Checks the name of a file of strands to write: the format is known, the folder there.
+std::string strandsToWrite(const std::string& name) {
+  if (!isStrandFile(name)) return "must end with one of " + strandFormats() + ": " + name;
+  return endsWith("")(name);
+}
+
 void addInfo(CLI::App& app, Run& run) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "Say what a file holds");
-  command->add_option("FILE", options->file, ".hair, .tfx, .data, .obj or .bvh")->required();
+  command
+      ->add_option(
+          "FILE", options->file,
+          "strands (.hair, .tfx, .data, .ply, .obj, .usda), a mesh (.obj) or a motion (.bvh)")
+      ->required();
   addReadOptions(*command, options->read);
   command->footer(
       "Examples:\n"
@@ -25,12 +35,25 @@ void addInfo(CLI::App& app, Run& run) {
 void addConvert(CLI::App& app, Run& run) {
   auto options = std::make_shared<ConvertOptions>();
   CLI::App* command =
-      app.add_subcommand("convert", "Write strands of any format as .hair in metres, +Y up");
-  command->add_option("IN", options->in, ".hair, .tfx or .data")->required();
-  command->add_option("OUT", options->out, "file to write, .hair")
+      app.add_subcommand("convert", "Write strands of any format in any other, in metres, +Y up");
+  command
+      ->add_option(
+          "IN", options->in,
+          ".hair, .tfx, .data, .ply, .obj or .usda; name.####.hair: all that are numbered so")
+      ->required();
+  command
+      ->add_option("OUT", options->out,
+                   "file to write, of these; .usda, and name.####.hair, take every frame")
       ->required()
-      ->check(endsWith(".hair"));
+      ->check(strandsToWrite);
   addReadOptions(*command, options->read);
+  command->add_option("--out-scale", options->write.scale, "metres per unit of OUT; default 1")
+      ->check(within(1e-9, 1e9));
+  addUpOption(*command, "--out-up", options->write.up, "axis of OUT that points up; default y");
+  command
+      ->add_option("--frame", options->frame,
+                   "this frame only, from 0; default: all, or the first where OUT holds one")
+      ->check(CLI::Range(0, 1'000'000'000));
   command
       ->add_option("--strands", options->strands,
                    "keep so many strands, a random choice that is always the same")
@@ -47,7 +70,8 @@ void addConvert(CLI::App& app, Run& run) {
       "Examples:\n"
       "  hair convert sintel.tfx sintel.hair\n"
       "  hair convert strands.data light.hair --strands 2000 --points 32\n"
-      "Colours, thickness and transparency of .hair files come along.");
+      "  hair convert shot.usda shot.####.ply --out-up z-back\n"
+      "Colours, thickness and transparency come along where OUT has room for them.");
   command->callback([options, &run] { run = [options] { runConvert(*options); }; });
 }
 
@@ -60,9 +84,10 @@ void addSimulate(CLI::App& app, Run& run) {
   command->add_option("--frames", options->frames, "frames to simulate; default 120")
       ->check(CLI::Range(1, 10'000'000));
   command
-      ->add_option("--out", options->out,
-                   "strands of every frame: out.hair becomes out.0000.hair, out.0001.hair ...")
-      ->check(endsWith(".hair"));
+      ->add_option("--cache,--out", options->cache,
+                   "strands of every frame: in one file, .usda; or numbered, shot.####.hair (also "
+                   ".ply, .obj ...), which is what becomes of shot.hair")
+      ->check(strandsToWrite);
   command
       ->add_option("--load-state", options->loadState,
                    "go on from a saved state of the same hair, at the frame of its time")
@@ -72,7 +97,7 @@ void addSimulate(CLI::App& app, Run& run) {
   command->footer(
       "Examples:\n"
       "  hair simulate --style smooth --frames 600 --hash\n"
-      "  hair simulate --hair sintel.tfx --head sintel.obj --motion dance.bvh --out sintel.hair\n"
+      "  hair simulate --hair sintel.tfx --head sintel.obj --motion dance.bvh --cache sintel.usda\n"
       "  hair simulate --style curly --profile times.csv --stats stats.csv");
   command->callback([options, &run] { run = [options] { runSimulate(*options); }; });
 }

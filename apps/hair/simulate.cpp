@@ -1,23 +1,24 @@
 #include <fstream>
 #include <iostream>
+#include <optional>
 
 #include <apps/common/progress.h>
 #include <apps/hair/commands.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>
+#include <libhair/files/strand_sequence.h>
 #include <libhair/hair_state.h>
 
 namespace hair {
 
 namespace {
 
-// strands.hair, 7 -> strands.0007.hair
-std::filesystem::path numbered(const std::filesystem::path& file, int frame) {
-  std::string number = std::to_string(frame);
-  number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
+// strands.hair -> strands.####.hair: a file a frame where one cannot hold them all.
+std::filesystem::path sequenceName(const std::filesystem::path& file) {
+  if (holdsSequence(file)) return file;
   std::filesystem::path out = file;
-  return out.replace_extension(number + file.extension().string());
+  return out.replace_extension("####" + file.extension().string());
 }
 
 void load(const std::filesystem::path& file, Performance& performance) {
@@ -42,15 +43,19 @@ void runSimulate(const SimulateOptions& options) {
   Performance performance(subject, performing);
   performance.settings.shade = performing.shadow;
   if (!options.loadState.empty()) load(options.loadState, performance);
+  std::optional<StrandSequenceWriter> cache;
+  if (!options.cache.empty())
+    cache.emplace(sequenceName(options.cache), SequenceOptions{.fps = options.performance.fps});
   StatsLog stats;
   Progress progress("simulate", options.frames);
   for (int f = 0; f < options.frames; ++f) {
     performance.step();
     if (!options.results.stats.empty()) stats.add(performance);
-    if (!options.out.empty()) writeStrands(numbered(options.out, f), performance.hair.strands());
+    if (cache) cache->add(performance.hair.strands());
     progress.step();
   }
   progress.finish();
+  if (cache) cache->close();
   if (!options.saveState.empty())
     writeAtomically(options.saveState,
                     [&](std::ostream& out) { saveState(performance.hair, out); });

@@ -1,12 +1,11 @@
 #include <libhair/files/byte_reader.h>
 
 #include <cerrno>
-#include <fstream>
 #include <system_error>
 
 namespace hair {
 
-std::string readWholeFile(const std::filesystem::path& file) {
+std::ifstream openFile(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -21,6 +20,14 @@ std::string readWholeFile(const std::filesystem::path& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   require(stream.is_open(), file.string(), ": cannot open: ", std::strerror(errno));
+  return stream;
+}
+
+std::string readWholeFile(const std::filesystem::path& file) {
+  std::ifstream stream = openFile(file);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  require(!error, file.string(), ": cannot tell its size: ", error.message());
   std::string bytes(static_cast<std::size_t>(size), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(size));
   require(stream.gcount() == static_cast<std::streamsize>(size), file.string(), ": byte ",

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -13,6 +14,10 @@
 #include <libhair/core/error.h>
 
 namespace hair {
+
+/// The file, opened for reading. Throws Error where it is not found, not readable, no regular file,
+/// or empty.
+std::ifstream openFile(const std::filesystem::path& file);
 
 /// The whole file. Throws Error where it is not found, not readable, no regular file, or empty.
 std::string readWholeFile(const std::filesystem::path& file);

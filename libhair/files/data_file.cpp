@@ -1,5 +1,7 @@
 #include <libhair/files/data_file.h>
 
+#include <ostream>
+
 #include <libhair/files/byte_reader.h>
 
 namespace hair {
@@ -26,6 +28,27 @@ StrandSet parseData(std::string_view bytes, std::string_view name) {
 
 StrandSet readData(const std::filesystem::path& file) {
   return parseData(readWholeFile(file), file.string());
+}
+
+void writeData(std::ostream& out, StrandView strands) {
+  constexpr std::size_t kMost = 0x7fffffff;  // counts have a sign
+  require(strands.strandCount() <= kMost, "writing .data: ", strands.strandCount(),
+          " strands, at most ", kMost);
+  const auto put = [&](const void* items, std::size_t bytes) {
+    out.write(static_cast<const char*>(items), static_cast<std::streamsize>(bytes));
+  };
+  const auto putCount = [&](std::size_t count) {
+    const auto number = static_cast<std::int32_t>(count);
+    put(&number, sizeof number);
+  };
+  putCount(strands.strandCount());
+  for (std::size_t s = 0; s < strands.strandCount(); ++s) {
+    const auto points = strands.strand(s);
+    require(points.size() <= kMost, "writing .data: strand ", s, " has ", points.size(),
+            " points, at most ", kMost);
+    putCount(points.size());
+    put(points.data(), points.size_bytes());
+  }
 }
 
 }  // namespace hair

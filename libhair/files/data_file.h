@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <string_view>
 
 #include <libhair/core/strands.h>
@@ -14,5 +15,8 @@ StrandSet readData(const std::filesystem::path& file);
 
 /// The same from bytes in memory; `name` stands for the file in messages.
 StrandSet parseData(std::string_view bytes, std::string_view name);
+
+/// Points alone: strands of no and one point too. Throws Error.
+void writeData(std::ostream& out, StrandView strands);
 
 }  // namespace hair

@@ -40,8 +40,8 @@ Mesh parse(TextReader& in, ObjReport& report) {
     } else if (word == "f") {
       ++report.faces;
       corners.clear();
-      while (!in.lineDone())
-        corners.emplace_back(static_cast<int>(objCorner(in, in.word(), mesh.n_vertices())));
+      for (auto corner = objWord(in); !corner.empty(); corner = objWord(in))
+        corners.emplace_back(static_cast<int>(objCorner(in, corner, mesh.n_vertices())));
       expectObjFace(in, corners.size());
       removeRepeats(corners);
       if (corners.size() < 3)

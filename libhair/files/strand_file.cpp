@@ -1,51 +1,16 @@
 #include <libhair/files/strand_file.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
+#include <ostream>
 #include <utility>
 
 #include <libhair/core/error.h>
-#include <libhair/files/data_file.h>
-#include <libhair/files/hair_file.h>
-#include <libhair/files/tfx_file.h>
+#include <libhair/files/atomic_write.h>
+#include <libhair/files/strand_formats.h>
 
 namespace hair {
 
 namespace {
-
-// A .hair file that starts its info text with this says what Yuksel's format cannot.
-constexpr std::string_view kMetresYUp = "libhair: metres, +Y up, +Z face";
-constexpr float kYukselScale = 0.00465f;  // of straight.hair: a head of 9.5 cm radius
-
-constexpr std::array<std::pair<std::string_view, UpAxis>, 6> kUpNames = {
-    {{"file", UpAxis::AsFile},
-     {"y", UpAxis::Y},
-     {"z", UpAxis::Z},
-     {"z-back", UpAxis::ZBack},
-     {"x", UpAxis::X},
-     {"y-down", UpAxis::YDown}}};
-
-// Rows: the library's x, y, z as combinations of the file's. Entries 0, 1, -1: exact in floats.
-glm::mat3 libraryFromFile(UpAxis up) {
-  const auto rows = [](glm::vec3 x, glm::vec3 y, glm::vec3 z) {
-    return glm::transpose(glm::mat3(x, y, z));
-  };
-  switch (up) {
-    case UpAxis::Z:
-      return rows({-1, 0, 0}, {0, 0, 1}, {0, 1, 0});
-    case UpAxis::ZBack:
-      return rows({1, 0, 0}, {0, 0, 1}, {0, -1, 0});
-    case UpAxis::X:
-      return rows({0, -1, 0}, {1, 0, 0}, {0, 0, 1});
-    case UpAxis::YDown:
-      return rows({-1, 0, 0}, {0, -1, 0}, {0, 0, 1});
-    case UpAxis::AsFile:
-    case UpAxis::Y:
-      break;
-  }
-  return glm::mat3(1);
-}
 
 // Moves what belongs to the kept strands to the front; nothing ever moves towards the end.
 template <class T>
@@ -65,108 +30,26 @@ void keepOffsets(std::vector<std::uint32_t>& first, const std::vector<std::uint3
 
 }  // namespace
 
-UpAxis upAxisFromText(std::string_view text) {
-  for (const auto& [name, up] : kUpNames)
-    if (text == name) return up;
-  throw Error(hair::text("up axis '", text, "': choose file, y, z, z-back, x or y-down"));
-}
-
-std::string_view upAxisText(UpAxis up) {
-  for (const auto& [name, value] : kUpNames)
-    if (up == value) return name;
-  return "?";
-}
-
-std::string_view upAxisMeaning(UpAxis up) {
-  switch (up) {
-    case UpAxis::AsFile:
-      return "the format's axes";
-    case UpAxis::Y:
-      return "+Y up, +Z face";
-    case UpAxis::Z:
-      return "+Z up, +Y face";
-    case UpAxis::ZBack:
-      return "+Z up, -Y face";
-    case UpAxis::X:
-      return "+X up, +Z face";
-    case UpAxis::YDown:
-      return "-Y up, +Z face";
-  }
-  return "?";
-}
-
-void convertUnits(std::span<glm::vec3> points, float scale, UpAxis up) {
-  const glm::mat3 rotation = libraryFromFile(up);
-  for (glm::vec3& p : points) p = scale * (rotation * p);
-}
-
-void convertUnitsBack(std::span<glm::vec3> points, float scale, UpAxis up) {
-  const glm::mat3 rotation = glm::transpose(libraryFromFile(up));
-  for (glm::vec3& p : points) p = rotation * (p / scale);
-}
-
 StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& options) {
-  require(std::isfinite(options.scale) && options.scale >= 0, "scale of ", options.scale,
-          " metres a unit: must be above zero (or 0 for the format's default)");
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-
-  StrandFile result;
-  if (extension == ".hair") {
-    HairFile hair = readHair(file);
-    if (!hair.thickness.empty()) result.arrays += ", thickness";
-    if (!hair.transparency.empty()) result.arrays += ", transparency";
-    if (!hair.colours.empty()) result.arrays += ", colours";
-    if (!hair.info.starts_with(kMetresYUp)) {
-      result.scale = kYukselScale;
-      result.up = UpAxis::Z;
-    }
-    result.thickness = std::move(hair.thickness);
-    result.transparency = std::move(hair.transparency);
-    result.colours = std::move(hair.colours);
-    result.defaultThickness = hair.defaultThickness;
-    result.defaultTransparency = hair.defaultTransparency;
-    result.defaultColour = hair.defaultColour;
-    result.strands = std::move(hair.strands);
-  } else if (extension == ".tfx") {
-    TfxFile tfx = readTfx(file);
-    result.format = "tfx";
-    result.arrays = "points, pinned";
-    if (!tfx.strandUv.empty()) result.arrays += ", strand UV";
-    result.strands = std::move(tfx.strands);
-  } else if (extension == ".data") {
-    result.format = "data";
-    result.strands = readData(file);
-  } else {
-    throw Error(text(file.string(), ": unknown format '", extension,
-                     "'; strands are read from .hair, .tfx and .data"));
-  }
-  if (options.scale > 0) result.scale = options.scale;
-  if (options.up != UpAxis::AsFile) result.up = options.up;
-  if (result.scale != 1 || result.up != UpAxis::Y)
-    convertUnits(result.strands.points, result.scale, result.up);
-  for (float& t : result.thickness) t *= result.scale;
-  result.defaultThickness *= result.scale;
-  validate(result.strands, file.string(), 0);
+  StrandFile result = formatOf(file).read(file);
+  finishReading(options, file.string(), result);
   return result;
 }
 
-void writeStrands(const std::filesystem::path& file, StrandView strands) {
+void writeStrands(const std::filesystem::path& file, StrandView strands,
+                  const WriteOptions& options) {
   StrandFile whole;
   whole.strands.points.assign(strands.points.begin(), strands.points.end());
   whole.strands.first.assign(strands.first.begin(), strands.first.end());
-  writeStrands(file, whole);
+  writeStrands(file, whole, options);
 }
 
-void writeStrands(const std::filesystem::path& file, const StrandFile& strands) {
-  writeHair(file, {.strands = strands.strands,
-                   .thickness = strands.thickness,
-                   .transparency = strands.transparency,
-                   .colours = strands.colours,
-                   .defaultThickness = strands.defaultThickness,
-                   .defaultTransparency = strands.defaultTransparency,
-                   .defaultColour = strands.defaultColour,
-                   .info = std::string(kMetresYUp)});
+void writeStrands(const std::filesystem::path& file, const StrandFile& strands,
+                  const WriteOptions& options) {
+  const StrandFormat& format = formatOf(file);
+  StrandFile scratch;
+  const StrandFile& converted = prepared(format, options, file.string(), strands, scratch);
+  writeAtomically(file, [&](std::ostream& out) { format.write(out, converted); });
 }
 
 std::vector<std::uint32_t> soundStrands(StrandView strands, float minLength,

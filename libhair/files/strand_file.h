@@ -15,7 +15,7 @@ namespace HAIR_API hair {
 /// Which axis of a file points up; the face looks along the axis named second. Each is a rotation
 /// (no mirroring) into the library's +Y up, +Z face.
 enum class UpAxis : std::uint8_t {
-  AsFile,  ///< the format's default: .hair Z, .tfx and .data Y
+  AsFile,  ///< what the file states, or else the format's default: .hair Z, all others Y
   Y,       ///< +Y up, +Z face: nothing to do
   Z,       ///< +Z up, +Y face (Yuksel's hair models): (x, y, z) -> (-x, z, y)
   ZBack,   ///< +Z up, -Y face (Blender, 3ds Max):     (x, y, z) -> (x, z, -y)
@@ -44,7 +44,7 @@ struct ReadOptions {
 /// Strands of any format, converted, and what was done to them.
 struct StrandFile {
   StrandSet strands;                ///< metres, +Y up, +Z face; short strands are kept
-  std::string format = "hair";      ///< "hair", "tfx" or "data"
+  std::string format = "hair";      ///< the extension: "hair", "tfx", "usda" ...
   std::string arrays = "points";    ///< what the file holds: "points, colours"
   float scale = 1;                  ///< metres per unit that was applied
   UpAxis up = UpAxis::Y;            ///< axes that were assumed; never AsFile
@@ -56,17 +56,37 @@ struct StrandFile {
   glm::vec3 defaultColour{0};       ///< where there is no array; black: not stated
 };
 
-/// Picks the format by the extension (.hair, .tfx, .data; any case), reads, converts into metres
-/// and +Y up. Defaults: .hair 0.00465 m a unit and Z up (Yuksel's models state no unit; this one
-/// gives their head a radius of 9.5 cm), or what the info text states if writeStrands wrote it;
-/// .tfx and .data metres and Y up. Throws Error (file, place, cause).
+struct WriteOptions {
+  float scale = 1;             ///< metres per unit of the file
+  UpAxis up = UpAxis::AsFile;  ///< the file's axes; AsFile: +Y up, +Z face
+};
+
+/// Picks the format by the extension (strandFormats; any case), reads, converts into metres and +Y
+/// up. Units and axes are those that the file states: .usda always does, .hair, .ply and .obj where
+/// writeStrands wrote them. Else .hair has 0.00465 m a unit and Z up (Yuksel's models state no
+/// unit; this one gives their head a radius of 9.5 cm), all others metres and Y up. Of an animated
+/// .usda the first frame (strand_sequence.h reads all). Throws Error (file, place, cause).
 StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// Writes .hair in metres, +Y up, and says so in the info text, which readStrands understands:
-/// reading it back gives the same bits. Throws Error.
-void writeStrands(const std::filesystem::path& file, StrandView strands);
+/// Picks the format by the extension and writes a whole file or nothing, in metres, +Y up, or as
+/// `options` say; .hair, .ply, .obj and .usda state it, and readStrands understands. In metres, +Y
+/// up, the points read back are the same bits.
+/// What a format cannot hold is an Error with a way out: strands of unequal numbers of points in
+/// .tfx, of fewer than two in .usda, of none in all but .data; other axes than +Y up and +Z up, -Y
+/// face in .usda. Arrays it cannot hold are left out (lossOf).
+void writeStrands(const std::filesystem::path& file, StrandView strands,
+                  const WriteOptions& options = {});
 /// The same with all optional arrays and defaults.
-void writeStrands(const std::filesystem::path& file, const StrandFile& strands);
+void writeStrands(const std::filesystem::path& file, const StrandFile& strands,
+                  const WriteOptions& options = {});
+
+/// ".hair, .tfx, .data, .ply, .obj and .usda"
+std::string strandFormats();
+/// By the extension.
+bool isStrandFile(const std::filesystem::path& file);
+
+/// What of these strands a file of that name leaves out: "thickness, colours"; empty: nothing.
+std::string lossOf(const std::filesystem::path& file, const StrandFile& strands);
 
 /// Which strands have at least `minPoints` points and `minLength` metres.
 std::vector<std::uint32_t> soundStrands(StrandView strands, float minLength = 1e-3f,

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <libhair/core/error.h>
+#include <libhair/files/number_text.h>
 
 namespace hair {
 
@@ -67,8 +68,9 @@ class TextReader {
   }
 
   float toNumber(std::string_view w, std::string_view what) const {
-    // Doubles first, so that tiny numbers (1e-50) become zero and are no error.
-    return static_cast<float>(toDouble(w, what));
+    const std::optional<float> value = floatFromText(w);
+    expect(value.has_value(), what, ": '", shown(w), "' is no finite number");
+    return *value;
   }
 
   double toDouble(std::string_view w, std::string_view what) const {

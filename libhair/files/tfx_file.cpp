@@ -1,5 +1,7 @@
 #include <libhair/files/tfx_file.h>
 
+#include <ostream>
+
 #include <libhair/files/byte_reader.h>
 
 namespace hair {
@@ -8,13 +10,15 @@ namespace {
 
 // The 160 bytes in front, as they stand in the file. An offset of 0: there is no such array.
 struct Header {
-  float version;
-  std::uint32_t strands;
-  std::uint32_t pointsPerStrand;
-  std::uint32_t positions, strandUv, vertexUv, strandThickness, vertexColour;
-  std::uint32_t reserved[32];
+  float version = 0;
+  std::uint32_t strands = 0;
+  std::uint32_t pointsPerStrand = 0;
+  std::uint32_t positions = 0, strandUv = 0, vertexUv = 0, strandThickness = 0, vertexColour = 0;
+  std::uint32_t reserved[32] = {};
 };
 static_assert(sizeof(Header) == 160);
+
+constexpr std::uint32_t kFewestPoints = 4, kMostPoints = 64;  // of a strand
 
 }  // namespace
 
@@ -27,8 +31,9 @@ TfxFile parseTfx(std::string_view bytes, std::string_view name) {
   in.seek(4, "header");
   in.expect(header.strands > 0, "the file holds no strands");
   in.seek(8, "header");
-  in.expect(header.pointsPerStrand >= 4 && header.pointsPerStrand <= 64, "strands of ",
-            header.pointsPerStrand, " points; the format has 4 to 64");
+  in.expect(header.pointsPerStrand >= kFewestPoints && header.pointsPerStrand <= kMostPoints,
+            "strands of ", header.pointsPerStrand, " points; the format has ", kFewestPoints,
+            " to ", kMostPoints);
   in.seek(12, "header");
   in.expect(header.positions >= sizeof(Header), "positions at byte ", header.positions,
             ": there are none, or they lie inside the header");
@@ -69,6 +74,29 @@ TfxFile parseTfx(std::string_view bytes, std::string_view name) {
 
 TfxFile readTfx(const std::filesystem::path& file) {
   return parseTfx(readWholeFile(file), file.string());
+}
+
+void writeTfx(std::ostream& out, StrandView strands) {
+  const std::size_t count = strands.strandCount() > 0 ? strands.strand(0).size() : 0;
+  for (std::size_t s = 0; s < strands.strandCount(); ++s)
+    require(strands.strand(s).size() == count, "writing .tfx: strand ", s, " has ",
+            strands.strand(s).size(), " points and the first has ", count,
+            "; the format has one number for all: resample (`hair convert --points 16`)");
+  require(count >= kFewestPoints && count <= kMostPoints, "writing .tfx: strands of ", count,
+          " points; the format has ", kFewestPoints, " to ", kMostPoints,
+          ": resample (`hair convert --points 16`)");
+  const Header header = {.version = 4,
+                         .strands = static_cast<std::uint32_t>(strands.strandCount()),
+                         .pointsPerStrand = static_cast<std::uint32_t>(count),
+                         .positions = sizeof(Header)};
+  out.write(reinterpret_cast<const char*>(&header), sizeof header);
+  std::vector<glm::vec4> positions(count);
+  for (std::size_t s = 0; s < strands.strandCount(); ++s) {
+    for (std::size_t i = 0; i < count; ++i)
+      positions[i] = glm::vec4(strands.strand(s)[i], i == 0 ? 0.0f : 1.0f);
+    out.write(reinterpret_cast<const char*>(positions.data()),
+              static_cast<std::streamsize>(count * sizeof(glm::vec4)));
+  }
 }
 
 }  // namespace hair

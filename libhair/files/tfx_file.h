@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <iosfwd>
 #include <string_view>
 #include <vector>
 
@@ -23,5 +24,9 @@ TfxFile readTfx(const std::filesystem::path& file);
 
 /// The same from bytes in memory; `name` stands for the file in messages.
 TfxFile parseTfx(std::string_view bytes, std::string_view name);
+
+/// Strands of 4 to 64 points, all of the same number; the head holds each one's root (w = 0) and
+/// nothing else. Throws Error.
+void writeTfx(std::ostream& out, StrandView strands);
 
 }  // namespace hair

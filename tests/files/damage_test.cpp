@@ -26,6 +26,9 @@ std::vector<Format> formats() {
   return {{"hair", fuzzHair, hairBytes(sampleHair()), true},
           {"tfx", fuzzTfx, sampleTfx(), true},
           {"data", fuzzData, sampleData(), true},
+          {"ply", fuzzPly, samplePlyText(), false},
+          {"lines", fuzzLines, sampleObjLines(), false},
+          {"usda", fuzzUsda, sampleUsda(), false},
 #ifdef HAIR_WITH_MODEL
           {"obj", fuzzObj, sampleObj(), false},
 #endif

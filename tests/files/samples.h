@@ -88,6 +88,40 @@ inline std::string sampleObj() {
          "f 1/1/1 2//1 3/2 4\nv 2 0.5 0\nf 3 2 -1\n";
 }
 
+/// Strands of three points, of bytes' colours, and of one; an element and a list besides.
+inline std::string samplePlyText() {
+  return "ply\r\nformat ascii 1.0\ncomment sample\nelement camera 1\nproperty list uchar int a\n"
+         "property short b\nelement edge 2\nproperty int vertex2\nproperty int vertex1\n"
+         "element vertex 4\nproperty float x\nproperty float32 y\nproperty double z\n"
+         "property uchar red\nproperty uint8 green\nproperty uchar blue\n"
+         "property float thickness\nend_header\n3 1 2 3 4\n1 0\n2 1\n0 0 0 255 0 51 .1\n"
+         "0 1 0 255 0 51 .2\n0 2 0.5 255 0 51 .3\n7 8 9 1 2 3 .4\n";
+}
+
+/// Lines of three, one and two points, the first of them two lines long.
+inline std::string sampleObjLines() {
+  return "# libhair: metres, +Y up, +Z face\nv 0 0 0\nv 0 1 0\nv 0 2 0\nl 1 2 \\\n 3\nv 1 0 0\n"
+         "p -1\nv 2 0 0 1\nl 4/1 5\n";
+}
+
+/// Two curves as somebody might write them: centimetres, Z up, comments, prims and dictionaries of
+/// no interest, an animated and a constant array.
+inline std::string sampleUsda() {
+  return "#usda 1.0\n(\n  \"by hand\"\n  metersPerUnit = 0.01\n  upAxis = \"Z\"\n"
+         "  timeCodesPerSecond = 25\n  startTimeCode = 1\n  subLayers = [@a.usd@]\n)\n"
+         "def Xform \"World\" (\n  kind = \"group\"\n  customData = { string a = \"}\" }\n)\n{\n"
+         "  uniform token[] xformOpOrder = []\n  def Mesh \"head\" { int[] a = [1, 2]\n"
+         "    rel material:binding = </World/M> }\n  def BasisCurves \"hair\"\n  {\n"
+         "    uniform token type = \"linear\" # straight\n    int[] curveVertexCounts = [2, 3,]\n"
+         "    float[] widths (\n      interpolation = \"uniform\"\n    )\n"
+         "    float[] widths.timeSamples = { 1: [1, 2], 2: [3, 4] }\n"
+         "    color3f[] primvars:displayColor = [(0.5, 0.25, 1)] ( interpolation = \"constant\" )\n"
+         "    point3f[] points.timeSamples = {\n"
+         "      1: [(0, 0, 0), (0, 0, 1), (1, 0, 0), (1, 0, 1), (1, 0, 2)],\n"
+         "      2.5: [(0, 0, 0), (0, 1, 1), (1, 0, 0), (1, 1, 1), (1, 2e0, -2)],\n    }\n"
+         "    string note = '''it's a\n} note'''\n  }\n}\n";
+}
+
 /// Two squares on a scalp; the second's hair ends a layer earlier.
 inline std::string sampleHairMesh() {
   return "# sample\no layer_0\nv 0 0 0\nv 0 0 1\nv 1 0 1\r\nv 1 0 0\nv 2 0 1\nv 2 0 0\n"

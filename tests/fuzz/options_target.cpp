@@ -117,6 +117,10 @@ void runConvert(const ConvertOptions& options) {
   promiseRead(options.read);
   promise(options.strands <= 2'000'000'000, "--strands");
   promise(options.points != 1 && options.points <= 65536, "--points");
+  promise(options.write.scale >= 0.9e-9f && options.write.scale <= 1.1e9f, "--out-scale");
+  promise(!upAxisText(options.write.up).empty(), "--out-up");
+  promise(options.frame.value_or(0) <= 1'000'000'000, "--frame");
+  promise(isStrandFile(options.out), "OUT");
   promise(options.minLength >= 0 && std::isfinite(options.minLength), "--min-length");
 }
 
@@ -124,6 +128,7 @@ void runSimulate(const SimulateOptions& options) {
   promiseSubject(options.subject);
   promisePerformance(options.performance);
   promiseThreads(options.threads);
+  promise(options.cache.empty() || isStrandFile(options.cache), "--cache");
   promiseWithin(options.frames, 1, 10'000'000, "--frames");
 }
 

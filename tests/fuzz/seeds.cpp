@@ -1,7 +1,10 @@
 #include "seeds.h"
 
 #include <algorithm>
+#include <sstream>
 
+#include <libhair/files/ply_file.h>
+#include <libhair/files/usda_write.h>
 #include <tests/files/samples.h>
 
 #include "small_hair.h"
@@ -42,6 +45,62 @@ std::vector<std::string> dataSeeds() {
   putBytes(one, std::int32_t{1});
   for (const float c : {1.0f, 2.0f, 3.0f}) putBytes(one, c);
   return {sampleData(), one};
+}
+
+// Text with everything; and binary with every array.
+std::vector<std::string> plySeeds() {
+  const HairFile hair = sampleHair();
+  StrandFile file;
+  file.strands = hair.strands;
+  file.thickness = hair.thickness;
+  file.transparency = hair.transparency;
+  file.colours = hair.colours;
+  std::ostringstream binary, bare;
+  writePly(binary, file);
+  file.thickness.clear();
+  file.transparency.clear();
+  file.colours.clear();
+  writePly(bare, file);
+  return {samplePlyText(), binary.str(), bare.str()};
+}
+
+// As written, as modellers write it (edges), and with faces besides.
+std::vector<std::string> lineSeeds() {
+  return {sampleObjLines(), "v 0 0 0\nv 0 1 0\nv 0 2 0\nl 1 2\nl 2 3\n",
+          "# libhair: 0.01 m a unit, +Z up, -Y face\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"
+          "l -1 -2 -3\np 1 2\n"};
+}
+
+// By hand; and as written, still and moving, with values a point and one for all.
+std::vector<std::string> usdaSeeds() {
+  StrandFile file;
+  file.strands.append(std::vector<glm::vec3>{{0, 0, 0}, {0, 1, 0}});
+  file.strands.append(std::vector<glm::vec3>{{1, 0, 0}, {1, 1e-3f, 0}, {1, 2, 0}});
+  file.defaultThickness = 1e-4f;
+  file.transparency.assign(5, 0.5f);
+  std::ostringstream still;
+  writeUsda(still, file);
+  file.up = UpAxis::ZBack;
+  file.colours.assign(5, {1, 0.5f, 0.25f});
+  std::ostringstream moving;
+  {
+    TextWriter out(moving);
+    out << usdaHeader(0.01f, file.up, UsdaTimes{1, 2, 24});
+    writeUsdaStill(out, file);
+    out << "    point3f[] points.timeSamples = {\n        1: ";
+    writeUsdaVectors(out, file.strands.points);
+    out << ",\n        2: ";
+    writeUsdaVectors(out, file.strands.points);
+    out << ",\n    }\n    float3[] extent.timeSamples = {\n        1: ";
+    writeUsdaExtent(out, file.strands.points, widestOf(file));
+    out << ",\n    }\n" << usdaEnd();
+  }
+  return {sampleUsda(), still.str(), moving.str(),
+          "#usda 1.0\nclass \"c\" {}\nover \"o\" (\n  prepend references = @a.usd@</A>\n) {\n"
+          "  variantSet \"v\" = { \"a\" { int x = 1 } }\n  custom rel r\n  reorder nameChildren = "
+          "[\"a\"]\n}\ndef BasisCurves \"h\" {\n  token type = 'linear'\n  int[] "
+          "curveVertexCounts.timeSamples = { 0: [1], 1: None }\n  point3f[] points = [(1, 2, 3)]; "
+          "float a.connect = </b.c>\n}\n"};
 }
 
 // Somebody with a name for every part, in some order of channels; positions on every joint or on
@@ -168,6 +227,8 @@ std::vector<std::string> optionSeeds() {
            std::string("dance --help"),
            std::string("hair info a.hair --scale 0.01 --up z"),
            std::string("hair convert a.data b.hair --strands 5 --points 7 --min-length 0.1 --up x"),
+           std::string("hair convert a.usda b.####.ply --out-scale 0.01 --out-up z-back --frame 3"),
+           std::string("hair simulate --cache a.usda"),
            "hair simulate --frames 3 --out a.hair --save-state a.state" + kSubject + kPerformance +
                kResults,
            std::string("hair simulate --style curly --still --frames=3"),
@@ -205,6 +266,9 @@ std::vector<FuzzSeeds> fuzzSeeds() {
   return {{"hair", hairSeeds()},
           {"tfx", tfxSeeds()},
           {"data", dataSeeds()},
+          {"ply", plySeeds()},
+          {"lines", lineSeeds()},
+          {"usda", usdaSeeds()},
           {"bvh", {sampleBvh(), person(false, false)}},
           // A neck that leaves sideways once gave a head that was turned nowhere, and a forearm
           // without length a hand that was nowhere.

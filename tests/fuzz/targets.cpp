@@ -1,12 +1,18 @@
 #include "targets.h"
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <libhair/core/error.h>
 #include <libhair/files/bvh_file.h>
 #include <libhair/files/data_file.h>
 #include <libhair/files/hair_file.h>
+#include <libhair/files/obj_strands.h>
+#include <libhair/files/ply_file.h>
 #include <libhair/files/tfx_file.h>
+#include <libhair/files/usda_file.h>
+#include <libhair/files/usda_write.h>
 #include <libhair/motion/motion.h>
 #ifdef HAIR_WITH_MODEL
 #include <libhair/files/obj.h>
@@ -40,6 +46,20 @@ void promiseStrands(const StrandSet& strands, std::size_t minPoints) {
     promise(strands.first[s] + minPoints <= strands.first[s + 1], "offsets are monotone");
   for (glm::vec3 p : strands.points)
     promise(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "points are finite");
+}
+
+// In the file's units, which are not the library's yet.
+void promiseStrandFile(const StrandFile& file, std::size_t minPoints) {
+  promiseStrands(file.strands, minPoints);
+  promise(file.scale > 0 && file.up != UpAxis::AsFile, "units are known");
+  for (std::size_t n : {file.thickness.size(), file.transparency.size(), file.colours.size()})
+    promise(n == 0 || n == file.strands.pointCount(), "one item a point");
+}
+
+std::string bytesOf(void (*write)(std::ostream&, const StrandFile&), const StrandFile& file) {
+  std::ostringstream out;
+  write(out, file);
+  return out.str();
 }
 
 // What was read is written and read again; but coordinates that are beyond all scales are not
@@ -80,6 +100,46 @@ bool fuzzTfx(std::string_view bytes) {
 
 bool fuzzData(std::string_view bytes) {
   return readOrError([&] { promiseStrands(parseData(bytes, "fuzz"), 0); });
+}
+
+bool fuzzPly(std::string_view bytes) {
+  return readOrError([&] {
+    const StrandFile file = parsePly(bytes, "fuzz");
+    promiseStrandFile(file, 1);
+    const std::string written = bytesOf(writePly, file);
+    promise(bytesOf(writePly, parsePly(written, "fuzz")) == written, "what is written is read");
+  });
+}
+
+bool fuzzLines(std::string_view bytes) {
+  return readOrError([&] {
+    const StrandFile file = parseObjStrands(bytes, "fuzz");
+    promiseStrandFile(file, 1);
+    const std::string written = bytesOf(writeObjStrands, file);
+    promise(bytesOf(writeObjStrands, parseObjStrands(written, "fuzz")) == written,
+            "what is written is read");
+  });
+}
+
+bool fuzzUsda(std::string_view bytes) {
+  return readOrError([&] {
+    std::istringstream stream{std::string(bytes)};
+    UsdaReader reader(stream, "fuzz");
+    StrandFile file;
+    for (std::size_t f = 0; f < std::min<std::size_t>(reader.frameCount(), 20); ++f) {
+      promise(!std::isnan(reader.seconds(f)), "a frame is some time");
+      reader.read(f, file);
+      promiseStrandFile(file, 0);
+    }
+    const std::string written = bytesOf(writeUsda, file);
+    std::istringstream again(written);
+    UsdaReader rereader(again, "fuzz");
+    StrandFile reread;
+    rereader.read(0, reread);
+    promise(
+        reread.strands.first == file.strands.first && reread.strands.points == file.strands.points,
+        "what is written is read");
+  });
 }
 
 bool fuzzBvh(std::string_view bytes) {

@@ -11,6 +11,11 @@ namespace hair {
 bool fuzzHair(std::string_view bytes);
 bool fuzzTfx(std::string_view bytes);
 bool fuzzData(std::string_view bytes);
+bool fuzzPly(std::string_view bytes);
+/// An OBJ file as strands.
+bool fuzzLines(std::string_view bytes);
+/// Every frame of it.
+bool fuzzUsda(std::string_view bytes);
 bool fuzzBvh(std::string_view bytes);
 bool fuzzObj(std::string_view bytes);
 /// A hair mesh.

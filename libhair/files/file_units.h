@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <libhair/files/strand_file.h>
+
+namespace hair {
+
+/// What formats that state no units say where they have room for words (the info text of .hair, a
+/// comment of .ply and .obj): "libhair: metres, +Y up, +Z face", or "libhair: 0.01 m a unit, ...".
+std::string unitsText(float scale, UpAxis up);
+
+/// The way back; where the text begins otherwise, false, and nothing changes.
+bool unitsFromText(std::string_view words, float& scale, UpAxis& up);
+
+}  // namespace hair

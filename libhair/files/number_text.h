@@ -1,0 +1,29 @@
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+namespace hair {
+
+/// The finite float nearest to a decimal number; nothing where the word is no number or beyond all
+/// floats. One rounding and not two (through a double), so that the shortest digits of a float give
+/// the float again. Numbers too small for a float (1e-50) are the nearest one, mostly zero.
+inline std::optional<float> floatFromText(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  const char* const end = word.data() + word.size();
+  float value = 0;
+  auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error == std::errc::result_out_of_range) {
+    double wide = 0;
+    error = std::from_chars(word.data(), end, wide).ec;
+    if (error == std::errc::result_out_of_range) return std::nullopt;
+    value = static_cast<float>(wide);
+  }
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace hair
