@@ -55,10 +55,9 @@ EdgeChains chainEdges(const std::vector<std::array<std::uint32_t, 2>>& edges,
       at = to;
     }
     // All edges against the walk: each but the first vertex starts one.
-    const bool backwards =
-        graph[chain.front()].starting == 0 &&
-        std::all_of(chain.begin() + 1, chain.end(),
-                    [&](std::uint32_t v) { return graph[v].starting == 1; });
+    const bool backwards = graph[chain.front()].starting == 0 &&
+                           std::all_of(chain.begin() + 1, chain.end(),
+                                       [&](std::uint32_t v) { return graph[v].starting == 1; });
     if (backwards) std::reverse(chain.begin(), chain.end());
     ranges.emplace_back(vertices.size(), vertices.size() + chain.size());
     vertices.insert(vertices.end(), chain.begin(), chain.end());
@@ -67,9 +66,8 @@ EdgeChains chainEdges(const std::vector<std::array<std::uint32_t, 2>>& edges,
     require(seen[v] || graph[v].degree() == 0, name, ": vertex ", v,
             " (from 0) lies on a closed ring of edges; strands have a root and a tip");
 
-  std::sort(ranges.begin(), ranges.end(), [&](const auto& a, const auto& b) {
-    return vertices[a.first] < vertices[b.first];
-  });
+  std::sort(ranges.begin(), ranges.end(),
+            [&](const auto& a, const auto& b) { return vertices[a.first] < vertices[b.first]; });
   chains.vertices.reserve(vertices.size());
   for (const auto& [begin, end] : ranges) {
     chains.vertices.insert(chains.vertices.end(),

@@ -88,9 +88,10 @@ void writeObjStrands(std::ostream& stream, const StrandFile& file) {
   for (std::size_t s = 0; s < strands.strandCount(); ++s) {
     for (const glm::vec3& p : strands.strand(s))
       out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
-    out << (strands.strand(s).size() == 1 ? 'p' : 'l');
-    for (std::uint32_t v = strands.first[s]; v < strands.first[s + 1]; ++v) out << ' ' << v + 1;
-    out << '\n';
+    const std::uint32_t begin = strands.first[s], end = strands.first[s + 1];
+    if (end - begin == 1) out << "p " << end << '\n';
+    // Segment by segment: of a longer line Blender 3.4 takes the first two corners.
+    for (std::uint32_t v = begin + 1; v < end; ++v) out << "l " << v << ' ' << v + 1 << '\n';
   }
 }
 

@@ -14,8 +14,8 @@ namespace hair {
 /// `up` are set. `name` stands for the file in messages. Throws Error (file, line, cause).
 StrandFile parseObjStrands(std::string_view bytes, std::string_view name);
 
-/// Points only, as they stand; `scale` and `up` go into a comment. Strands have a point at
-/// least, coordinates are below 1e8, or Error.
+/// Points only, as they stand, a line a segment; `scale` and `up` go into a comment. Strands have a
+/// point at least, coordinates are below 1e8, or Error.
 void writeObjStrands(std::ostream& out, const StrandFile& file);
 
 }  // namespace hair

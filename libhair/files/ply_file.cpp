@@ -29,14 +29,22 @@ class BinaryNumbers {
   void beginElement() {}
   double next(Type type, std::string_view what) {
     switch (type) {
-      case Type::Int8: return in_.read<std::int8_t>(what);
-      case Type::Uint8: return in_.read<std::uint8_t>(what);
-      case Type::Int16: return in_.read<std::int16_t>(what);
-      case Type::Uint16: return in_.read<std::uint16_t>(what);
-      case Type::Int32: return in_.read<std::int32_t>(what);
-      case Type::Uint32: return in_.read<std::uint32_t>(what);
-      case Type::Float32: return static_cast<double>(in_.read<float>(what));
-      case Type::Float64: return in_.read<double>(what);
+      case Type::Int8:
+        return in_.read<std::int8_t>(what);
+      case Type::Uint8:
+        return in_.read<std::uint8_t>(what);
+      case Type::Int16:
+        return in_.read<std::int16_t>(what);
+      case Type::Uint16:
+        return in_.read<std::uint16_t>(what);
+      case Type::Int32:
+        return in_.read<std::int32_t>(what);
+      case Type::Uint32:
+        return in_.read<std::uint32_t>(what);
+      case Type::Float32:
+        return static_cast<double>(in_.read<float>(what));
+      case Type::Float64:
+        return in_.read<double>(what);
     }
     return 0;
   }

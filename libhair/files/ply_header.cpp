@@ -14,9 +14,9 @@ struct TypeName {
   std::size_t bytes;
 };
 constexpr TypeName kTypes[] = {
-    {"char", "int8", Type::Int8, 1},      {"uchar", "uint8", Type::Uint8, 1},
-    {"short", "int16", Type::Int16, 2},   {"ushort", "uint16", Type::Uint16, 2},
-    {"int", "int32", Type::Int32, 4},     {"uint", "uint32", Type::Uint32, 4},
+    {"char", "int8", Type::Int8, 1},        {"uchar", "uint8", Type::Uint8, 1},
+    {"short", "int16", Type::Int16, 2},     {"ushort", "uint16", Type::Uint16, 2},
+    {"int", "int32", Type::Int32, 4},       {"uint", "uint32", Type::Uint32, 4},
     {"float", "float32", Type::Float32, 4}, {"double", "float64", Type::Float64, 8}};
 
 Type typeOf(TextReader& in) {
@@ -66,9 +66,9 @@ int PlyHeader::Element::find(std::string_view property) const {
 }
 
 std::size_t PlyHeader::Element::leastBytes() const {
-  std::size_t bytes = 0;
-  for (const Property& p : properties) bytes += plyTypeBytes(p.countType.value_or(p.type));
-  return bytes;
+  std::size_t least = 0;
+  for (const Property& p : properties) least += plyTypeBytes(p.countType.value_or(p.type));
+  return least;
 }
 
 PlyHeader readPlyHeader(TextReader& in, std::size_t fileBytes) {

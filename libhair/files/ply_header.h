@@ -30,7 +30,7 @@ struct PlyHeader {
   };
 
   bool binary = false;
-  float scale = 1;         ///< metres a unit, of our comment
+  float scale = 1;  ///< metres a unit, of our comment
   UpAxis up = UpAxis::Y;
   std::vector<Element> elements;  ///< in the order of the file
   std::size_t bytes = 0;          ///< where they begin

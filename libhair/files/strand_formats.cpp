@@ -76,7 +76,8 @@ constexpr StrandFormat kFormats[] = {
      [](std::ostream& out, const StrandFile& file) { writeData(out, file.strands); }, false, 0},
     {"ply", [](const fs::path& file) { return parsePly(readWholeFile(file), file.string()); },
      writePly, true, 1},
-    {"obj", [](const fs::path& file) { return parseObjStrands(readWholeFile(file), file.string()); },
+    {"obj",
+     [](const fs::path& file) { return parseObjStrands(readWholeFile(file), file.string()); },
      writeObjStrands, false, 1},
     {"usda", readUsda, writeUsda, true, 2}};
 

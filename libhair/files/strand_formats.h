@@ -27,8 +27,8 @@ const StrandFormat& formatOf(const std::filesystem::path& file);
 /// What follows a format's `read`: from the file's units into metres, +Y up, where options override
 /// what the file states; `arrays` named; checked.
 void finishReading(const ReadOptions& options, std::string_view name, StrandFile& strands);
-/// Checked, and in the units of a file to be written; the strands themselves where these are metres,
-/// +Y up, else a copy in `scratch`. `name` stands for the file in messages.
+/// Checked, and in the units of a file to be written; the strands themselves where these are
+/// metres, +Y up, else a copy in `scratch`. `name` stands for the file in messages.
 const StrandFile& prepared(const StrandFormat& format, const WriteOptions& options,
                            std::string_view name, const StrandFile& strands, StrandFile& scratch);
 

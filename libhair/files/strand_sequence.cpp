@@ -60,8 +60,8 @@ std::map<long long, fs::path> numberedFiles(const fs::path& pattern) {
 
 // A stream that has to be opened, and has to be good in the end.
 void expectGood(const std::ios& stream, const fs::path& file) {
-  require(stream.good(), file.string(), ": cannot write: ",
-          errno != 0 ? std::strerror(errno) : "unknown cause");
+  require(stream.good(), file.string(),
+          ": cannot write: ", errno != 0 ? std::strerror(errno) : "unknown cause");
 }
 
 // One .usda file with a time sample a frame. The samples of points go straight into it, those of

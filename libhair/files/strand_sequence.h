@@ -24,8 +24,8 @@ std::filesystem::path numberedFile(const std::filesystem::path& pattern, long lo
 /// How a sequence is written.
 struct SequenceOptions {
   WriteOptions write{};      ///< units and axes of the file
-  double fps = 60;            ///< frames a second; .usda states it
-  long long firstFrame = 0;   ///< number, or time code, of the first frame
+  double fps = 60;           ///< frames a second; .usda states it
+  long long firstFrame = 0;  ///< number, or time code, of the first frame
 };
 
 /// Writes one frame after another. Numbered files appear as they are written, each whole. One file

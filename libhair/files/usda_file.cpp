@@ -160,8 +160,7 @@ void UsdaReader::readValue(const std::string& name, Attribute* attribute) {
   const bool curves = !prims_.empty() && prims_.back().curves;
   if (attribute) {
     // Samples, where there are any, are what is meant.
-    if (!attribute->animated && !in_.peek().isWord("None"))
-      attribute->samples = {{0, in_.place()}};
+    if (!attribute->animated && !in_.peek().isWord("None")) attribute->samples = {{0, in_.place()}};
   } else if (curves && (name == "type" || name == "wrap")) {
     (name == "type" ? type_ : wrap_) = in_.next().text;
     return;
@@ -169,9 +168,9 @@ void UsdaReader::readValue(const std::string& name, Attribute* attribute) {
     prims_.back().transformed = !in_.takeSign(']');
     if (prims_.back().transformed) in_.skipBrackets();
     return;
-  } else if (curves && (name == "primvars:displayColor:indices" ||
-                        name == "primvars:displayOpacity:indices" ||
-                        name == "primvars:widths:indices")) {
+  } else if (curves &&
+             (name == "primvars:displayColor:indices" ||
+              name == "primvars:displayOpacity:indices" || name == "primvars:widths:indices")) {
     in_.fail(name, ": indexed values are not read; write one a point");
   }
   in_.skipValue();
@@ -186,8 +185,7 @@ void UsdaReader::readSamples(Attribute* attribute) {
   while (!in_.takeSign('}')) {
     const double time = in_.real("time of a sample");
     in_.expect(in_.takeSign(':'), "':' is missing behind the time of a sample");
-    if (attribute && !in_.peek().isWord("None"))
-      attribute->samples.push_back({time, in_.place()});
+    if (attribute && !in_.peek().isWord("None")) attribute->samples.push_back({time, in_.place()});
     in_.skipValue();
     if (in_.takeSign(',')) continue;
     in_.expectSign('}', "timeSamples");
@@ -312,7 +310,8 @@ void UsdaReader::read(std::size_t frame, StrandFile& out) {
     readArray("displayColor", [&] { out.colours.push_back(vec3("displayColor")); });
   spread(colours_, "displayColor", strands, out.colours, out.defaultColour);
   if (goToSample(opacity_, time))
-    readArray("displayOpacity", [&] { out.transparency.push_back(1 - in_.number("displayOpacity")); });
+    readArray("displayOpacity",
+              [&] { out.transparency.push_back(1 - in_.number("displayOpacity")); });
   spread(opacity_, "displayOpacity", strands, out.transparency, out.defaultTransparency);
 }
 

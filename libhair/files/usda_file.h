@@ -24,7 +24,8 @@ namespace hair {
 ///   primvars:displayOpacity             UsdGeomGprim, 1 - transparency; vertex or constant
 ///   extent                              UsdGeomBoundable: corners of all points, with half the
 ///                                       largest width around them; animated with the points
-///   metersPerUnit, upAxis               UsdGeom stage metrics; fallbacks 0.01 and "Y". "Z" is taken
+///   metersPerUnit, upAxis               UsdGeom stage metrics; fallbacks 0.01 and "Y". "Z" is
+///   taken
 ///                                       as +Z up, -Y face
 ///   startTimeCode, endTimeCode,         UsdStage
 ///   timeCodesPerSecond, framesPerSecond

@@ -116,8 +116,8 @@ const UsdaScanner::Token& UsdaScanner::peek() {
       take();
     }
   } else {
-    expect(std::string_view("=(){}[],;").find(static_cast<char>(c)) != std::string_view::npos,
-           "'", TextReader::shown(std::string(1, static_cast<char>(c))), "' was not expected");
+    expect(std::string_view("=(){}[],;").find(static_cast<char>(c)) != std::string_view::npos, "'",
+           TextReader::shown(std::string(1, static_cast<char>(c))), "' was not expected");
     token_.kind = Token::Kind::Sign;
     token_.text = static_cast<char>(c);
     take();

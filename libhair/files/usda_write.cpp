@@ -12,8 +12,7 @@ namespace {
 
 std::string numberText(auto number) {
   std::array<char, 32> digits;
-  return {digits.data(),
-          std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
 }
 
 // Values of an array of which each item is one number, or three.
@@ -51,13 +50,13 @@ std::string usdaHeader(float scale, UpAxis up, const std::optional<UsdaTimes>& t
   if (times) {
     std::string last = numberText(times->last);
     last.resize(std::max<std::size_t>(last.size(), 20), ' ');
-    text += "    endTimeCode = " + last + "\n    framesPerSecond = " +
-            numberText(times->perSecond) + '\n';
+    text += "    endTimeCode = " + last +
+            "\n    framesPerSecond = " + numberText(times->perSecond) + '\n';
   }
   text += "    metersPerUnit = " + numberText(scale) + '\n';
   if (times)
-    text += "    startTimeCode = " + numberText(times->first) + "\n    timeCodesPerSecond = " +
-            numberText(times->perSecond) + '\n';
+    text += "    startTimeCode = " + numberText(times->first) +
+            "\n    timeCodesPerSecond = " + numberText(times->perSecond) + '\n';
   text += std::string("    upAxis = \"") + (up == UpAxis::Y ? 'Y' : 'Z') +
           "\"\n)\n\ndef BasisCurves \"Hair\"\n{\n    uniform token type = \"linear\"\n"
           "    uniform token wrap = \"nonperiodic\"\n";

@@ -69,13 +69,9 @@ TEST(ObjStrands, LinesContinueCountBackwardsAndShareVertices) {
       "l -1 -2 1\nf 1 2 3\np 4\n",
       "a.obj");
   EXPECT_EQ(file.strands.first, (Offsets{0, 3, 6, 7}));
-  EXPECT_EQ(file.strands.points, (std::vector<glm::vec3>{{0, 0, 0},
-                                                         {0, 1, 0},
-                                                         {0, 2, 0},
-                                                         {5, 5, 5},
-                                                         {0, 2, 0},
-                                                         {0, 0, 0},
-                                                         {5, 5, 5}}));
+  EXPECT_EQ(file.strands.points,
+            (std::vector<glm::vec3>{
+                {0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {5, 5, 5}, {0, 2, 0}, {0, 0, 0}, {5, 5, 5}}));
 }
 
 TEST(ObjStrands, AFileOfEdgesIsFollowed) {

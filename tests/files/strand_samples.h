@@ -26,8 +26,10 @@ inline float anyCoordinate(std::uint32_t seed, std::uint32_t use) {
                                      1.0f / 3,
                                      16777216.0f,
                                      -0.1f};
-  const float kind = uniform(seed, 4 * use), sign = uniform(seed, 4 * use + 1) < 0.5f ? -1.0f : 1.0f;
-  if (kind < 0.2f) return kEdges[static_cast<int>(kind * 5 * static_cast<float>(std::size(kEdges)))];
+  const float kind = uniform(seed, 4 * use),
+              sign = uniform(seed, 4 * use + 1) < 0.5f ? -1.0f : 1.0f;
+  if (kind < 0.2f)
+    return kEdges[static_cast<int>(kind * 5 * static_cast<float>(std::size(kEdges)))];
   const float exponent = 15 * uniform(seed, 4 * use + 2) - 8;  // 1e-8 to 1e7
   return sign * (1 + uniform(seed, 4 * use + 3)) * std::pow(10.0f, exponent);
 }
