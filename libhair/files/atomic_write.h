@@ -17,6 +17,7 @@ class PendingFile {
  public:
   /// Throws Error where the name is empty or a folder's.
   explicit PendingFile(const std::filesystem::path& file);
+  /// Removes what has not taken its name.
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;

@@ -56,6 +56,7 @@ struct StrandFile {
   glm::vec3 defaultColour{0};       ///< where there is no array; black: not stated
 };
 
+/// Units and axes of a file to be written.
 struct WriteOptions {
   float scale = 1;             ///< metres per unit of the file
   UpAxis up = UpAxis::AsFile;  ///< the file's axes; AsFile: +Y up, +Z face

@@ -109,8 +109,6 @@ class UsdaSequence {
     whole_.commit();
   }
 
-  bool empty() const { return frames_ == 0; }
-
  private:
   void begin(const StrandFile& frame) {
     first_ = frame.strands.first;
@@ -189,11 +187,10 @@ StrandSequenceWriter::~StrandSequenceWriter() = default;
 
 void StrandSequenceWriter::add(const StrandFile& frame) {
   State& s = *state_;
-  if (!s.usda) {
-    writeStrands(numberedFile(s.file, s.options.firstFrame + s.frames), frame, s.options.write);
-  } else {
+  if (s.usda)
     s.usda->add(prepared(s.format, s.options.write, s.file.string(), frame, s.scratch));
-  }
+  else
+    writeStrands(numberedFile(s.file, s.options.firstFrame + s.frames), frame, s.options.write);
   ++s.frames;
 }
 

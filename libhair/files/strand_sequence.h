@@ -35,6 +35,7 @@ class StrandSequenceWriter {
   /// Throws Error where the format is unknown, or holds one frame only and the name has no #.
   explicit StrandSequenceWriter(const std::filesystem::path& file,
                                 const SequenceOptions& options = {});
+  /// Without `close` before it, one file never appears.
   ~StrandSequenceWriter();
   StrandSequenceWriter(const StrandSequenceWriter&) = delete;
   StrandSequenceWriter& operator=(const StrandSequenceWriter&) = delete;
@@ -58,6 +59,7 @@ class StrandSequenceReader {
   /// Goes through a .usda file once, to learn where each frame is, and looks which numbered files
   /// there are. Throws Error.
   explicit StrandSequenceReader(const std::filesystem::path& file, const ReadOptions& options = {});
+  /// Closes the file.
   ~StrandSequenceReader();
   StrandSequenceReader(const StrandSequenceReader&) = delete;
   StrandSequenceReader& operator=(const StrandSequenceReader&) = delete;
