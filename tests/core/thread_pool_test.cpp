@@ -152,16 +152,16 @@ TEST(ThreadPool, TheLibraryAllocatesNothingForIt) {
 
 #ifdef HAIR_THREADS_TBB
 TEST(Parallel, AThreadThatHasALimitTakesNoThreadsFromAnother) {
-  // Ranges that wait for each other: there are two threads at work, or they wait in vain.
+  // The first range waits for the second: there are two threads at work, or it waits in vain.
   const auto meet = [] {
     const ThreadLimit two(2);
     std::atomic<int> there = 0;
     std::atomic<bool> met = false;
     parallelFor(2, 1, [&](std::size_t, std::size_t) {
-      ++there;
+      const bool first = ++there == 1;
       for (int i = 0; i < 2000 && there < 2; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      if (there == 2) met = true;
+      if (first && there == 2) met = true;
     });
     return met.load();
   };

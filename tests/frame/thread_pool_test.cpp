@@ -28,8 +28,9 @@ Outcome dance() {
   settings.lights.push_back(Light::point({1, 2, 1}));
   settings.bodyShadow = true;
   settings.wind.velocity = {2, 0, 1};
-  test::Scene scene(test::small(Style::Curly), Motion::dance(), settings);
-  for (int f = 0; f < 12; ++f) scene.step();
+  // As many strands as it takes for several threads to write into one map.
+  test::Scene scene(styleSettings(Style::Curly), Motion::dance(), settings);
+  for (int f = 0; f < 4; ++f) scene.step();
   return {test::stateOf(scene.hair), scene.hair.colours, scene.hair.transmittance,
           bindGroom(scene.hair.strands(), {.guides = 50}).offsets};
 }
