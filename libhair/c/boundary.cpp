@@ -1,0 +1,76 @@
+#include <libhair/c/boundary.h>
+
+#include <cstdio>
+
+namespace hair::c {
+
+namespace {
+
+// No memory is asked for: it may be what there is none of.
+thread_local char lastError[1024] = "";
+
+// Threads that this thread asked for.
+thread_local int threadLimit = 0;  // 0: as many as there are
+thread_local hair_pool pool = {};  // run is null: none
+
+class CallersPool final : public ThreadPool {
+ public:
+  int threadCount() const override { return static_cast<int>(pool.thread_count); }
+  void run(std::size_t taskCount, const Tasks& tasks) override {
+    pool.run(pool.user, taskCount, reinterpret_cast<const hair_tasks*>(&tasks));
+  }
+};
+thread_local CallersPool callersPool;
+
+}  // namespace
+
+hair_status failed(hair_status status, const char* why) noexcept {
+  std::snprintf(lastError, sizeof lastError, "%s", why);
+  return status;
+}
+
+ThreadsInUse::ThreadsInUse() {
+  if (pool.run)
+    pool_.emplace(callersPool);
+  else if (threadLimit > 0)
+    limit_.emplace(threadLimit);
+}
+
+}  // namespace hair::c
+
+using namespace hair::c;
+
+uint32_t hair_version() {
+  return HAIR_C_VERSION_MAJOR << 16 | HAIR_C_VERSION_MINOR;
+}
+
+const char* hair_library_version() {
+  return HAIR_LIBRARY_VERSION;
+}
+
+const char* hair_last_error() {
+  return lastError;
+}
+
+hair_status hair_use_threads(uint32_t count) {
+  return guarded([&] {
+    hair::require(count <= 1024, "hair_use_threads: ", count, " is not in 0 to 1024");
+    threadLimit = static_cast<int>(count);
+    pool = {};
+  });
+}
+
+hair_status hair_use_pool(const hair_pool* own) {
+  return guarded([&] {
+    if (!own) return void(pool = {});
+    const hair_pool taken = hair::c::taken(own, hair_pool{}, "hair_pool");
+    hair::require(taken.run != nullptr, "hair_pool: run is null");
+    hair::require(taken.thread_count >= 1 && taken.thread_count <= 1024, "hair_pool: thread_count ",
+                  taken.thread_count, " is not in 1 to 1024");
+    pool = taken;
+  });
+}
+
+void hair_do_task(const hair_tasks* tasks, size_t index) {
+  if (tasks) (*reinterpret_cast<const hair::ThreadPool::Tasks*>(tasks))(index);
+}

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstring>
+#include <exception>
+#include <new>
+#include <optional>
+#include <string_view>
+
+#include <libhair/c/hair.h>
+#include <libhair/core/error.h>
+#include <libhair/core/parallel.h>
+
+namespace hair::c {
+
+/// What every function of the C interface is wrapped in: no exception gets past it.
+
+hair_status failed(hair_status status, const char* why) noexcept;
+
+template <class Work>
+hair_status guarded(Work&& work) noexcept {
+  try {
+    work();
+    return HAIR_OK;
+  } catch (const Error& error) {
+    return failed(HAIR_BAD_ARGUMENT, error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(HAIR_OUT_OF_MEMORY, "out of memory");
+  } catch (const std::exception& error) {
+    return failed(HAIR_INTERNAL_ERROR, error.what());
+  } catch (...) {
+    return failed(HAIR_INTERNAL_ERROR, "an exception of an unknown kind");
+  }
+}
+
+/// While it lives, loops run on the threads that this thread asked for (hair_use_threads,
+/// hair_use_pool). It lives no longer than a call: what a host does between calls is its own.
+class ThreadsInUse {
+ public:
+  ThreadsInUse();
+
+ private:
+  std::optional<ThreadLimit> limit_;
+  std::optional<ThreadPoolScope> pool_;
+};
+
+/// The same, where there are loops.
+template <class Work>
+hair_status computed(Work&& work) noexcept {
+  return guarded([&] {
+    const ThreadsInUse threads;
+    work();
+  });
+}
+
+template <class T>
+T& given(T* pointer, std::string_view name) {
+  require(pointer != nullptr, name, ": is null");
+  return *pointer;
+}
+
+/// The least size of each growing struct: that of version 1.0.
+template <class T>
+inline constexpr std::size_t kFirstSize = sizeof(T);
+
+/// No struct is as large: a larger size was never set.
+inline constexpr std::size_t kLargestSize = 4096;
+
+template <class T>
+void requireSize(std::size_t size, std::string_view name) {
+  require(size >= kFirstSize<T> && size <= kLargestSize, name, ": size ", size, " is not in ",
+          kFirstSize<T>, " to ", kLargestSize, "; set it to sizeof(", name, ")");
+}
+
+/// A growing struct of any version: what an older one lacks is as in `defaults`; what a newer one
+/// has beyond this version must be zero.
+template <class T>
+T taken(const T* from, T defaults, std::string_view name) {
+  given(from, name);
+  std::uint32_t size;
+  std::memcpy(&size, from, sizeof size);
+  requireSize<T>(size, name);
+  const auto* bytes = reinterpret_cast<const unsigned char*>(from);
+  for (std::size_t b = sizeof(T); b < size; ++b)
+    require(bytes[b] == 0, name, ": byte ", b,
+            " says what only a later version of the library can");
+  std::memcpy(static_cast<void*>(&defaults), bytes, size < sizeof(T) ? size : sizeof(T));
+  return defaults;
+}
+
+/// The other way: as much of `value` as a struct of `size` bytes holds, and zeros beyond that.
+template <class T>
+void hand(T value, T* to, std::size_t size, std::string_view name) {
+  given(to, name);
+  requireSize<T>(size, name);
+  value.size = static_cast<std::uint32_t>(size);
+  auto* bytes = reinterpret_cast<unsigned char*>(to);
+  std::memcpy(bytes, &value, size < sizeof(T) ? size : sizeof(T));
+  if (size > sizeof(T)) std::memset(bytes + sizeof(T), 0, size - sizeof(T));
+}
+
+}  // namespace hair::c

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <istream>
+#include <ostream>
+#include <streambuf>
+
+#include <libhair/c/boundary.h>
+#include <libhair/c/instance.h>
+#include <libhair/hair_state.h>
+
+using namespace hair::c;
+using hair::require;
+
+namespace {
+
+// The caller's bytes, to be read.
+struct Reading : std::streambuf {
+  Reading(const void* bytes, std::size_t size) {
+    char* begin = const_cast<char*>(static_cast<const char*>(bytes));
+    setg(begin, begin, begin + size);
+  }
+};
+
+// The caller's room: counts all that is written, keeps what there is room for.
+class Writing : public std::streambuf {
+ public:
+  Writing(void* bytes, std::size_t room) : bytes_(static_cast<char*>(bytes)), room_(room) {}
+  std::size_t size() const { return size_; }
+
+ protected:
+  std::streamsize xsputn(const char* from, std::streamsize count) override {
+    const auto n = static_cast<std::size_t>(count);
+    if (size_ + n <= room_) std::copy_n(from, n, bytes_ + size_);
+    size_ += n;
+    return count;
+  }
+  int_type overflow(int_type c) override {
+    const char byte = traits_type::to_char_type(c);
+    xsputn(&byte, 1);
+    return traits_type::not_eof(c);
+  }
+
+ private:
+  char* bytes_;
+  std::size_t room_, size_ = 0;
+};
+
+std::size_t save(const hair::Hair& hair, void* bytes, std::size_t room) {
+  Writing writing(bytes, room);
+  std::ostream out(&writing);
+  saveState(hair, out);
+  return writing.size();
+}
+
+}  // namespace
+
+hair_status hair_read(const hair_instance* hair, hair_view* view) {
+  return guarded([&] {
+    const hair::Hair& h = given(hair, "hair_instance").hair;
+    given(view, "hair_view");
+    hair_view v{};
+    v.light_count = static_cast<uint32_t>(h.maps.size());
+    v.strand_count = static_cast<uint32_t>(h.groom->strandCount());
+    v.point_count = static_cast<uint32_t>(h.wisps.points.size());
+    v.points = &h.wisps.points.data()->x;
+    v.first = h.groom->first.data();
+    v.transmittance = h.transmittance.empty() ? nullptr : h.transmittance.data();
+    v.colours = h.colours.empty() ? nullptr : reinterpret_cast<const uint8_t*>(h.colours.data());
+    v.time = h.time;
+    hand(v, view, view->size, "hair_view");
+  });
+}
+
+hair_status hair_state_hash(const hair_instance* hair, uint64_t* hash) {
+  return guarded([&] {
+    hair::StateHash sum;
+    given(hair, "hair_instance");
+    given(hash, "hash");
+    hair->hair.guides.addTo(sum);
+    sum.add(std::span<const glm::vec3>(hair->hair.wisps.points));
+    *hash = sum.value();
+  });
+}
+
+hair_status hair_save(const hair_instance* hair, void* bytes, size_t capacity, size_t* size) {
+  return guarded([&] {
+    given(hair, "hair_instance");
+    given(size, "size");
+    const std::size_t needed = save(hair->hair, nullptr, 0);
+    require(!bytes || capacity >= needed, "hair_save: ", needed, " bytes, but room for ", capacity);
+    if (bytes) save(hair->hair, bytes, capacity);
+    *size = needed;
+  });
+}
+
+hair_status hair_restore(hair_instance* hair, const void* bytes, size_t size) {
+  return computed([&] {
+    given(hair, "hair_instance");
+    require(bytes || size == 0, "hair_restore: bytes is null");
+    Reading reading(bytes, size);
+    std::istream in(&reading);
+    restoreState(in, hair->hair);
+    hair->body = {hair->hair.worldFromHead, hair->hair.capsules, hair->hair.planes};
+    light(hair->settings, hair->hair, hair->profile);
+  });
+}

@@ -1,0 +1,20 @@
+# The functions that a library shows against those of the list: none may go, none may come unseen.
+#
+# cmake -D LIBRARY=... -D LIST=symbols.txt -D NM=nm -P symbols.cmake
+execute_process(COMMAND "${NM}" -D --defined-only "${LIBRARY}" OUTPUT_VARIABLE lines COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[^\n]+" lines "${lines}")
+list(TRANSFORM lines REPLACE "^[0-9a-f]+ ([A-Za-z]) " "\\1 ")
+list(SORT lines)
+file(STRINGS "${LIST}" promised)
+set(gone ${promised})
+list(REMOVE_ITEM gone ${lines})
+set(new ${lines})
+list(REMOVE_ITEM new ${promised})
+if(gone)
+  message(FATAL_ERROR "programs that are compiled need these, which are gone: ${gone}")
+endif()
+if(new)
+  message(FATAL_ERROR "shown, but not promised: ${new}. A new function of hair.h: add it to ${LIST}")
+endif()
+list(LENGTH lines count)
+message("${count} symbols, as promised")
