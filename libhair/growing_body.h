@@ -11,16 +11,19 @@ namespace hair {
 /// way out of them instead of being thrown out.
 class GrowingBody {
  public:
-  /// `body` and what it refers to must outlive this.
+  /// Copies what it needs: the body may be the one that a hair remembers.
   GrowingBody(const BodyState& body, const GuideStrands& guides);
   /// 0: nothing there, 1: all of it. Holds until the next call.
   BodyState at(float share);
 
  private:
-  BodyState full_;
-  std::vector<Capsule> capsules_;
-  std::vector<Plane> planes_;
-  std::vector<MeshCollider> meshes_;
+  struct Colliders {
+    std::vector<Capsule> capsules;
+    std::vector<Plane> planes;
+    std::vector<MeshCollider> meshes;
+  };
+  RigidTransform worldFromHead_;
+  Colliders full_, now_;
   std::vector<float> below_;  // metres from each plane down to the lowest guide point
 };
 

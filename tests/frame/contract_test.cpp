@@ -37,6 +37,15 @@ TEST(Contract, ARestartGivesTheFirstFramesAgain) {
   EXPECT_EQ(firstFrames(), first);
 }
 
+TEST(Contract, ARestartWhereItStandsKeepsTheBody) {
+  Scene scene(small(Style::Smooth), Motion::dance());
+  scene.step();
+  restart(scene.hair.body(), scene.settings, 0.1f, scene.hair);
+  ASSERT_EQ(scene.hair.capsules.size(), scene.pose.capsules.size());
+  for (std::size_t c = 0; c < scene.hair.capsules.size(); ++c)
+    EXPECT_EQ(scene.hair.capsules[c].radius, scene.pose.capsules[c].radius);
+}
+
 TEST(Contract, HairThatStartsInTheMiddleOfAClipIsAtRestAndIsNotShaken) {
   const auto fastest = [](Scene& scene) {
     float speed = 0;
