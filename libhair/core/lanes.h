@@ -18,6 +18,9 @@ using Lanes [[gnu::vector_size(64)]] = float;
 /// Sixteen answers of a comparison: -1 where it holds, 0 elsewhere.
 using LaneMask [[gnu::vector_size(64)]] = std::int32_t;
 
+// GCC warns that vectors are passed in other registers where AVX-512 is enabled. These are inlined.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
 /// The same value in all lanes.
 inline Lanes lanes(float v) {
   return Lanes{} + v;
@@ -26,6 +29,7 @@ inline Lanes lanes(float v) {
 inline Lanes max(Lanes a, Lanes b) {
   return a > b ? a : b;
 }
+#pragma GCC diagnostic pop
 
 /// Sixteen vectors side by side.
 struct alignas(64) LaneVec3 {
