@@ -39,7 +39,7 @@ enum {
   HAIR_OK = 0,
   HAIR_BAD_ARGUMENT = 1, /* a null pointer, a number out of range, bytes that are no state ... */
   HAIR_OUT_OF_MEMORY = 2,
-  HAIR_INTERNAL_ERROR = 3 /* a fault of the library, or of a pool's run() */
+  HAIR_INTERNAL_ERROR = 3 /* a fault of the library */
 };
 
 /* Major * 65536 + minor of the interface that the library has. The same major, and no smaller a
