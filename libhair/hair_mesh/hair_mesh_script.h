@@ -11,6 +11,11 @@
 #include <libhair/hair_mesh/hair_mesh.h>
 #include <libhair/hair_mesh/styling.h>
 
+namespace hair {
+// What a script is applied to: the hairstyle so far, its selections, the head. Not public.
+struct Workshop;  // script_workshop.h
+}  // namespace hair
+
 namespace HAIR_API hair {
 
 /// A hairstyle: the volume, and the sets of strands that are grown in it.
@@ -20,9 +25,6 @@ struct Hairstyle {
   /// [bundleCount], or empty: layers up to which the hair is tied to the head (MeshGroomSettings).
   std::vector<std::uint32_t> tied;
 };
-
-/// What a script is applied to: the hairstyle so far, its selections, the head. (script_workshop.h)
-struct Workshop;
 
 /// A hairstyle as text (.hairmesh): an operation a line, in order, from a scalp to groups of
 /// strands;

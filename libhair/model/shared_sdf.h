@@ -2,9 +2,10 @@
 
 #include <memory>
 
+#include <libhair/core/api.h>
 #include <libhair/model/mesh_sdf.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// MeshSdf(mesh, cell, margin), of which there is one for all who ask for the same: the same
 /// positions, triangles, cell and margin, wherever the mesh itself stands in memory. A field takes

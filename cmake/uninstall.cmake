@@ -1,0 +1,27 @@
+# Removes the files that the last cmake --install in the current build folder has written down, and
+# folders of the project's own that are empty then. (What was installed by components is not written
+# there.) DESTDIR as at installation.
+if(NOT EXISTS "${CMAKE_BINARY_DIR}/install_manifest.txt")
+  message(FATAL_ERROR "${CMAKE_BINARY_DIR} has no install_manifest.txt: nothing was installed from here")
+endif()
+file(STRINGS "${CMAKE_BINARY_DIR}/install_manifest.txt" files)
+set(count 0)
+foreach(file IN LISTS files)
+  set(file "$ENV{DESTDIR}${file}")
+  if(EXISTS "${file}" OR IS_SYMLINK "${file}")
+    file(REMOVE "${file}")
+    math(EXPR count "${count} + 1")
+  endif()
+  # Upwards while the folder has the project's name in its path: include/libhair, cmake/hair ...
+  cmake_path(GET file PARENT_PATH folder)
+  while(folder MATCHES "/(lib)?hair(/|$)" AND IS_DIRECTORY "${folder}")
+    file(GLOB rest "${folder}/*")
+    if(rest)
+      break()
+    endif()
+    file(REMOVE_RECURSE "${folder}")
+    cmake_path(GET folder PARENT_PATH folder)
+  endwhile()
+endforeach()
+file(REMOVE "${CMAKE_BINARY_DIR}/install_manifest.txt")
+message(STATUS "removed ${count} files")
