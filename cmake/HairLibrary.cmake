@@ -1,14 +1,16 @@
 # hair_library(TARGET [NEEDS PACKAGE ...] [LIBS FLAG ...]): all that one library of the project is to
-# its users. Called where the static library TARGET is made.
+# its users. Called where TARGET, a static library, is made.
 #
 # - TARGET_shared, made from the same objects (HAIR_SHARED);
 # - both installed, each with its file of targets, so that find_package(hair) loads only the kind and
 #   the libraries that are asked for;
-# - TARGET.pc for pkg-config.
+# - TARGET.pc for pkg-config;
+# - a package of Debian (HairPackages.cmake).
 #
 # NEEDS (arguments of find_package) and LIBS (flags) are what the static library is linked with; the
 # shared one finds that by itself. hair::hair is the core; others are components, by the names that
-# they are exported as.
+# they are exported as. A TARGET that is shared itself is one that holds the core in it: it is the same
+# whichever kind is asked for.
 #
 # Installed as: library (the core's shared library) or TARGET (another's), development, static.
 include(GNUInstallDirs)
@@ -29,7 +31,13 @@ function(hair_library target)
   endif()
   add_dependencies(installable ${target})
 
-  if(HAIR_SHARED)
+  set(archive ${target})
+  set(shared "")
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL SHARED_LIBRARY)
+    set(archive "")
+    set(shared ${target})
+  elseif(HAIR_SHARED)
     set(shared ${target}_shared)
     set(exports "${PROJECT_SOURCE_DIR}/cmake/exports.map")
     add_library(${shared} SHARED "${exports}")  # no source: all comes from the archive
@@ -63,13 +71,18 @@ function(hair_library target)
     return()
   endif()
   set_property(GLOBAL APPEND PROPERTY hair_libraries ${target})
-  install(TARGETS ${target} EXPORT ${target}-static ARCHIVE COMPONENT static)
-  install(EXPORT ${target}-static FILE ${name}-static.cmake NAMESPACE hair::
-    DESTINATION "${hair_package_folder}" COMPONENT static)
-  if(HAIR_SHARED)
+  if(shared)
     install(TARGETS ${shared} EXPORT ${target}-shared
       LIBRARY COMPONENT ${component} NAMELINK_COMPONENT development)
     install(EXPORT ${target}-shared FILE ${name}-shared.cmake NAMESPACE hair::
+      DESTINATION "${hair_package_folder}" COMPONENT development)
+  endif()
+  if(archive)
+    install(TARGETS ${archive} EXPORT ${target}-static ARCHIVE COMPONENT static)
+    install(EXPORT ${target}-static FILE ${name}-static.cmake NAMESPACE hair::
+      DESTINATION "${hair_package_folder}" COMPONENT static)
+  else()
+    install(EXPORT ${target}-shared FILE ${name}-static.cmake NAMESPACE hair::
       DESTINATION "${hair_package_folder}" COMPONENT development)
   endif()
   list(JOIN arg_NEEDS "\" \"" needs)
@@ -81,6 +94,8 @@ function(hair_library target)
   set(requires hair)
   if(target STREQUAL hair)
     set(requires glm)
+  elseif(NOT archive)
+    set(requires "")
   endif()
   list(JOIN arg_LIBS " " libs)
   configure_file("${PROJECT_SOURCE_DIR}/cmake/library.pc.in" "${PROJECT_BINARY_DIR}/${target}.pc" @ONLY)

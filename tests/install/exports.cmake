@@ -11,6 +11,7 @@ foreach(header IN LISTS headers)
 endforeach()
 
 file(GLOB_RECURSE libraries "${WORK}/both/lib*/libhair*.so")
+list(FILTER libraries EXCLUDE REGEX "libhair_c\\.so$")  # functions of C: another law
 set(strong)
 foreach(library IN LISTS libraries)
   cmake_path(GET library FILENAME name)
