@@ -1,10 +1,11 @@
 #pragma once
 
+#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/shadow/density_map.h>
 #include <libhair/shadow/light_space.h>
 
-namespace hair {
+namespace HAIR_API hair {
 
 /// The longest side of the hair's box as a map under that light has it: metres (at the pivot of a
 /// light at a point). 0 for no hair.
