@@ -41,8 +41,51 @@ void Hair::remember(const BodyState& body) {
   copy(body.scenery.meshes, meshes);
 }
 
+namespace {
+
+void takeLevel(Hair& hair) {
+  if (hair.level == hair.wisps.drawn.level) return;
+  require(hair.detail, "level of detail: Hair::level is set, but Hair::detail is null; make a "
+                       "GroomDetail of the groom");
+  setLevel(*hair.detail, hair.level, hair.wisps);
+  hair.visibility.clear();  // of other points
+}
+
+// What self-collision counts: always the same strands, or hair would move when its level changes.
+StrandView feltStrands(const RepulsionSettings& settings, Hair& hair) {
+  if (hair.wisps.drawn.first.empty()) return hair.strands();
+  drawEvery(settings.strandStride, hair.wisps, hair.felt);
+  return hair.felt;
+}
+
+// A point of a strand that is so much wider lies in so much more of its own shadow, which no strand
+// of the whole groom has.
+void forgiveWidth(const Wisps& wisps, DensityMap& map) {
+  if (wisps.drawn.first.empty()) return;
+  map.fibreShadow *= 1 + wisps.groom->fibre.hairsPerStrand * (wisps.drawn.wider - 1);
+}
+
+}  // namespace
+
+DensityMapSettings mapAt(const LevelOfDetail& level, const DensityMapSettings& settings) {
+  if (level.cellSize <= settings.cellSize) return settings;
+  DensityMapSettings coarse = settings;
+  const float larger = level.cellSize / settings.cellSize;
+  coarse.cellSize = level.cellSize;
+  coarse.footprint *= larger;
+  coarse.cells = std::max(static_cast<int>(std::ceil(static_cast<float>(settings.cells) / larger)),
+                          std::min(8, settings.cells));
+  return coarse;
+}
+
+void redraw(Hair& hair) {
+  takeLevel(hair);
+  interpolateWisps(hair.guides, collidersOf(hair.body(), hair.head), hair.wisps);
+}
+
 void frame(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
            FrameProfile& profile) {
+  takeLevel(hair);
   const auto guidePoints =
       static_cast<std::int64_t>(hair.guides.guideCount() * hair.guides.pointsPerGuide());
   const auto points = static_cast<std::int64_t>(hair.wisps.points.size());
@@ -73,7 +116,7 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
       settings.selfCollision ? turnsDue(seconds, settings.repulsion, hair.repulsion) : 0;
   if (turns > 0) {
     const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
-    measureDensity(hair.strands(), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
+    measureDensity(feltStrands(settings.repulsion, hair), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
     for (int i = 0; i < turns; ++i) repel(hair.guides, settings.repulsion, hair.repulsion);
     if (settings.wind.shelter > 0) shelter(hair.guides, settings.wind, hair.repulsion);
   }
@@ -91,8 +134,10 @@ void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
     DensityMap& map = hair.maps[l];
     {
       const StageTimer timer(profile, Stage::Deposit, points);
-      clear(map, settings.map, lightSpaceOf(settings.lights[l], hair.pivot()));
-      deposit(hair.strands(), hair.groom->fibre, map);
+      clear(map, mapAt(hair.wisps.drawn.level, settings.map),
+            lightSpaceOf(settings.lights[l], hair.pivot()));
+      deposit(hair.strands(), hair.wisps.fibre(), map, 1, hair.wisps.drawn.weights);
+      forgiveWidth(hair.wisps, map);
       if (settings.bodyShadow) {
         if (hair.head) occlude(*hair.head, hair.worldFromHead, map);
         occlude(hair.capsules, map);
@@ -111,6 +156,7 @@ void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
   if (settings.shade) {
     const StageTimer timer(profile, Stage::Shade, points);
     shadeKajiyaKay(hair.strands(), hair.illumination(settings), settings.look, hair.colours);
+    fadeColours(hair.wisps, hair.colours);
   }
 }
 
@@ -132,7 +178,7 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   const int frames = static_cast<int>(std::ceil(seconds * 60));
   GrowingBody growing(body, hair.guides);
   hair.remember(frames > 0 ? growing.at(0) : body);
-  if (frames == 0) interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
+  if (frames == 0) redraw(hair);
   for (int i = 1; i <= frames; ++i)
     frame(growing.at(static_cast<float>(i) / static_cast<float>(frames)), still, 1.0f / 60, hair,
           unused);

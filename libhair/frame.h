@@ -15,6 +15,7 @@
 #include <libhair/shade/kajiya_kay.h>
 #include <libhair/shadow/density_map.h>
 #include <libhair/shadow/light.h>
+#include <libhair/wisps/level.h>
 #include <libhair/wisps/wisps.h>
 
 namespace HAIR_API hair {
@@ -63,11 +64,15 @@ struct Hair {
   Hair(const Groom& groom, const FrameSettings& settings, const BodyState& body,
        const MeshSdf* head = nullptr, const WispSettings& wisps = {});
 
-  const Groom* groom;                  ///< as given; not owned
-  const MeshSdf* head;                 ///< collider in head space, not owned; null: none
-  GuideStrands guides;                 ///< what is simulated
-  Wisps wisps;                         ///< what is drawn
-  Repulsion repulsion;                 ///< density of the drawn hair, and its push
+  const Groom* groom;   ///< as given; not owned
+  const MeshSdf* head;  ///< collider in head space, not owned; null: none
+  /// How much of the groom the next frame draws (levelFor); strands() is as it was until then. Any
+  /// frame may have another level: guides do not feel it. Needs `detail`.
+  LevelOfDetail level;
+  const GroomDetail* detail = nullptr;  ///< of the groom, not owned; null: no level but {}
+  GuideStrands guides;                  ///< what is simulated
+  Wisps wisps;                          ///< what is drawn
+  Repulsion repulsion;                  ///< density of the drawn hair, and its push
   std::vector<DensityMap> maps;        ///< [lights]; empty while shadows are off
   std::vector<float> transmittance;    ///< [lights · pointCount]; empty while shadows are off
   std::vector<float> visibility;       ///< [lights · pointCount], what head and body leave of each
@@ -79,6 +84,7 @@ struct Hair {
   std::vector<MeshCollider> meshes;    ///< scenery then
   double time = 0;                     ///< simulated seconds
   GuideWorkspace workspace;            ///< scratch of stepGuides
+  StrandSet felt;  ///< scratch: strands that self-collision counts, where fewer are drawn
 
   /// The drawn strands of the last frame, world space.
   StrandView strands() const { return wisps.strands(); }
@@ -106,6 +112,15 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
 /// light or camera that moves while the hair is paused). The time grows with the number of lights,
 /// and each has a map; that of a light which is no more is freed.
 void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile);
+
+/// Draws the hair as it stands at `hair.level`, without a frame; `light` then shadows and shades it.
+/// (For hair that is paused while the camera moves; `frame` does it by itself.) The body has to be
+/// where the last frame left it, scenery's distance fields included.
+void redraw(Hair& hair);
+
+/// Settings of the maps of hair at a level: larger cells, and fewer for the same extent; a footprint
+/// grows with its cells.
+DensityMapSettings mapAt(const LevelOfDetail& level, const DensityMapSettings& settings);
 
 /// Back to rest on the body, then `seconds` without motion, while body and meshes grow from nothing
 /// to their size and planes rise from below all hair: hair groomed through a shoulder finds its way

@@ -34,7 +34,8 @@ std::vector<float> bareness(const Performance& performance) {
   std::vector<glm::vec3> roots;
   const std::size_t stride = std::max<std::size_t>(1, strands.strandCount() / 4000);
   for (std::size_t s = 0; s < strands.strandCount(); s += stride)
-    roots.push_back(headFromWorld.point(strands.strand(s).front()));
+    if (!strands.strand(s).empty())
+      roots.push_back(headFromWorld.point(strands.strand(s).front()));
   std::vector<float> bare(mesh.positions.size());
   parallelFor(bare.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
@@ -123,9 +124,11 @@ void Staging::updateHair(draw::Renderer& renderer) {
   hair.visibility.resize(headShadowsHair ? scene.lights.size() * points : 0);
   draw::HairLayer& layer = scene.hair[0];
   layer.strands = hair.strands();
-  layer.width = drawnWidth(groom);
+  layer.width = drawnWidth(groom) * hair.wisps.drawn.wider;
   layer.opacity = 0.9f;
-  layer.shadowWidth = groom.fibre.width * groom.fibre.opacity * groom.fibre.hairsPerStrand;
+  // What casts shadows on meshes is as wide whether it is on its way out or not.
+  layer.shadowWidth = groom.fibre.width * groom.fibre.opacity *
+                      hair.wisps.fibre().hairsPerStrand * hair.wisps.drawn.solid;
   if (headShadowsHair) renderer.meshVisibility(scene, hair.wisps.points, hair.visibility);
   if (scene.lights != settings.lights) {
     settings.lights = scene.lights;
@@ -134,11 +137,13 @@ void Staging::updateHair(draw::Renderer& renderer) {
   hair.colours.resize(points);
   const StageTimer timer(performance_.profile, Stage::Shade, static_cast<std::int64_t>(points));
   shadeKajiyaKay(hair.strands(), hair.illumination(settings), settings.look, hair.colours);
+  fadeColours(hair.wisps, hair.colours);
   if (scene.sideBySide) {
     unshadowed_.resize(hair.colours.size());
     Illumination unshadowed = hair.illumination(settings);
     unshadowed.transmittance = {};
     shadeKajiyaKay(hair.strands(), unshadowed, settings.look, unshadowed_);
+    fadeColours(hair.wisps, unshadowed_);
   }
   layer.colours = hair.colours;
   layer.leftColours = unshadowed_;

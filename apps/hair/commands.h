@@ -14,6 +14,7 @@
 #include <apps/common/staging.h>
 #include <libhair/files/strand_file.h>
 #include <libhair/measure/simulation_trial.h>
+#include <libhair/model/level_of_detail.h>
 
 namespace hair {
 
@@ -110,6 +111,22 @@ struct PlanOptions {
   std::filesystem::path csv;  ///< one row a feature
 };
 void runPlan(const PlanOptions& options);
+
+/// hair lod
+struct LodOptions {
+  SubjectOptions subject;
+  PerformanceOptions performance;
+  std::vector<float> sizes{800, 400, 200, 100, 50};  ///< of the head, pixels
+  float importance = 1;
+  DetailSettings detail;
+  int frames = 30;  ///< timed, of each level
+  int threads = 0;
+  float yaw = 30, pitch = 3;    ///< degrees from straight before the face
+  float distance = 0.95f;       ///< metres
+  std::filesystem::path sheet;  ///< .png
+  std::filesystem::path csv;    ///< one row a size
+};
+void runLod(const LodOptions& options);
 
 #ifdef HAIR_WITH_HAIR_MESH
 /// hair mesh apply SCRIPT

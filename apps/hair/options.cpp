@@ -162,6 +162,7 @@ void addCommands(CLI::App& app, Run& run, const std::string& commandLine) {
   addMeasure(app, run, commandLine);
   addMeasureMotion(app, run);
   addPlan(app, run);
+  addLod(app, run);
 #ifdef HAIR_WITH_HAIR_MESH
   addMesh(app, run);
 #endif

@@ -20,6 +20,9 @@ void addMeasure(CLI::App& app, Run& run, const std::string& commandLine);
 void addMeasureMotion(CLI::App& app, Run& run);
 void addPlan(CLI::App& app, Run& run);
 
+/// `hair lod`.
+void addLod(CLI::App& app, Run& run);
+
 /// `hair mesh apply`, `hair mesh info`.
 void addMesh(CLI::App& app, Run& run);
 

@@ -146,6 +146,11 @@ std::size_t costOfPoint(Deposit how) {
   return 1;
 }
 
+SegmentScale weighted(const SegmentScale& scale, const StrandRange& range, std::size_t r) {
+  const float weight = range.weights.empty() ? 1.0f : range.weights[r * range.stride];
+  return {scale.perCell * weight, scale.acrossOnly, scale.frame};
+}
+
 void depositRange(StrandView strands, StrandRange range, const SegmentScale& scale,
                   const DensityMapSettings& settings, CellWriter& writer) {
   const auto longest = static_cast<float>(settings.cells);
@@ -156,16 +161,19 @@ void depositRange(StrandView strands, StrandRange range, const SegmentScale& sca
       return writeColumns(strands, range, scale, longest, writer);
     case Deposit::Segments:
       for (std::size_t r = range.begin; r < range.end; ++r)
-        depositSegments(strands.strand(r * range.stride), scale, longest, scale.frame, writer);
+        depositSegments(strands.strand(r * range.stride), weighted(scale, range, r), longest,
+                        scale.frame, writer);
       return;
     case Deposit::Trilinear:
       for (std::size_t r = range.begin; r < range.end; ++r)
-        depositTrilinear(strands.strand(r * range.stride), scale, longest, scale.frame, writer);
+        depositTrilinear(strands.strand(r * range.stride), weighted(scale, range, r), longest,
+                         scale.frame, writer);
       return;
   }
 }
 
-void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t stride) {
+void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t stride,
+         std::span<const float> weights) {
   const DensityMapSettings& settings = map.settings;
   const float ds = settings.cellSize;
   const bool length = settings.quantity == Quantity::Length;
@@ -178,13 +186,14 @@ void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t 
   const std::size_t nanoseconds = strands.pointCount() / stride * costOfPoint(settings.deposit);
   writeCells(read, 32, nanoseconds, map,
              [&](CellWriter& writer, std::size_t begin, std::size_t end) {
-               depositRange(strands, {begin, end, stride}, scale, settings, writer);
+               depositRange(strands, {begin, end, stride, weights}, scale, settings, writer);
              });
 }
 
 }  // namespace
 
-void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t strandStride) {
+void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t strandStride,
+             std::span<const float> weights) {
   require(map.bricks.valid(), "deposit: clear() the density map first");
   require(strandStride > 0 && strandStride < 1u << 30, "deposit: strand stride ", strandStride,
           " is not in 1 to 2^30 - 1");
@@ -197,6 +206,8 @@ void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint3
       settings.quantity == Quantity::OpticalDepth || !map.light.atPoint(),
       "deposit: lengths are not told apart under a light at a point, whose cells differ in size; "
       "give the density map a parallel light");
+  require(weights.empty() || weights.size() == strands.strandCount(), "deposit: ",
+          strands.strandCount(), " strands but ", weights.size(), " weights");
   if (strands.pointCount() == 0) return;
   if (map.empty()) {
     map.frame = makeCellFrame(map.light, strands.points.front(), settings.cellSize, settings.cells);
@@ -206,7 +217,7 @@ void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint3
   }
   map.fibreShadow =
       std::max(map.fibreShadow, fibre.width * extinctionOf(fibre, smearedOver(settings)));
-  run(strands, fibre, map, strandStride);
+  run(strands, fibre, map, strandStride, weights);
 }
 
 }  // namespace hair

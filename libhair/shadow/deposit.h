@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include <libhair/core/api.h>
 #include <libhair/core/strands.h>
@@ -25,7 +26,9 @@ namespace HAIR_API hair {
 /// Adds nothing silently wrong: map.saturatedCells counts the cells whose sum did not fit, and
 /// map.aliased() says whether the hair is larger than the map. May be called again to
 /// add more; with Deposit::Points all of it counts as the points of the first call did.
+/// `weights`: [strandCount], [0, 1], what of its width each strand has, or empty: all of it.
+/// Deposit::Points, which counts whole points, takes no notice of them.
 void deposit(StrandView strands, const Fibre& fibre, DensityMap& map,
-             std::uint32_t strandStride = 1);
+             std::uint32_t strandStride = 1, std::span<const float> weights = {});
 
 }  // namespace hair

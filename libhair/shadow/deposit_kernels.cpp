@@ -101,7 +101,8 @@ class Adder {
 };
 
 /// Calls visit(points, first) for those strands that follow each other: first[0], first[1] ... are
-/// where they begin, and the last one ends, counted from where the first one does.
+/// where they begin, and the last one ends, counted from where the first one does; `weights` are
+/// theirs.
 template <class Visit>
 HWY_INLINE void forRuns(StrandView strands, StrandRange range, Visit&& visit) {
   const std::size_t run = range.stride == 1 ? range.end - range.begin : 1;
@@ -109,7 +110,8 @@ HWY_INLINE void forRuns(StrandView strands, StrandRange range, Visit&& visit) {
     const std::size_t s = r * range.stride;
     const std::size_t from = strands.first[s], to = strands.first[s + run];
     if (from < to)
-      visit(strands.points.subspan(from, to - from), strands.first.subspan(s, run + 1));
+      visit(strands.points.subspan(from, to - from), strands.first.subspan(s, run + 1),
+            range.weights.empty() ? range.weights : range.weights.subspan(s, run));
   }
 }
 
@@ -119,7 +121,7 @@ void pointsKernel(StrandView strands, StrandRange range, CellWriter& writer) {
   const Ints each(static_cast<std::int32_t>(range.stride));
   PointBox box;
   Adder adder(writer);
-  forRuns(strands, range, [&](std::span<const glm::vec3> points, auto) HWY_ATTR {
+  forRuns(strands, range, [&](std::span<const glm::vec3> points, auto, auto) HWY_ATTR {
     for (std::size_t p = 0; p < points.size(); p += kLanes) {
       const Vec3 u = cellCoordinates(frame, pointsFrom(points, p));
       box.extend(u);
@@ -295,6 +297,17 @@ struct SegmentBatch {
     return {loadFloats(x + l), loadFloats(y + l), loadFloats(z + l)};
   }
   glm::vec3 point(std::size_t l) const { return {x[l], y[l], z[l]}; }
+  /// Multiplies the amounts of segments l to end.
+  void weaken(std::size_t l, std::size_t end, float weight) {
+    const auto times = static_cast<std::uint64_t>(weight * 65536.0f + 0.5f);
+    for (; l < end; ++l) {
+      const auto amount = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(whole[l])) << 16) +
+                          static_cast<std::uint64_t>(static_cast<std::uint32_t>(part[l]));
+      const std::uint64_t less = amount * times >> 16;
+      whole[l] = static_cast<std::int32_t>(less >> 16);
+      part[l] = static_cast<std::int32_t>(less & 0xffff);
+    }
+  }
   void leaveOut(std::size_t l) {
     count[l] = 0;
     odd[l / kLanes] &= ~(1u << l % kLanes);
@@ -303,10 +316,12 @@ struct SegmentBatch {
 
 /// Counts of a batch's segments, those between strands left out. `begin` is the point where the
 /// batch begins, `strand` that point's strand.
-void countSegments(std::span<const std::uint32_t> first, std::size_t begin, std::size_t& strand,
-                   Rounder& rounder, SegmentBatch& batch) {
+void countSegments(std::span<const std::uint32_t> first, std::span<const float> weights,
+                   std::size_t begin, std::size_t& strand, Rounder& rounder, SegmentBatch& batch) {
   for (std::size_t l = 0; l < batch.size;) {
     const std::size_t end = first[strand + 1] - first[0];
+    if (!weights.empty() && weights[strand] < 1 && begin + l + 1 < end)
+      batch.weaken(l, std::min(batch.size, end - begin - 1), weights[strand]);
     for (; l < batch.size && begin + l + 1 < end; ++l)
       batch.count[l] = static_cast<std::int32_t>(rounder.take(batch.whole[l], batch.part[l]));
     if (l == batch.size) return;
@@ -337,14 +352,15 @@ void columnsKernel(StrandView strands, StrandRange range, const SegmentScale& sc
   Pieces pieces(writer);
   SegmentBatch batch;
   forRuns(strands, range,
-          [&](std::span<const glm::vec3> points, std::span<const std::uint32_t> first) HWY_ATTR {
+          [&](std::span<const glm::vec3> points, std::span<const std::uint32_t> first,
+              std::span<const float> weights) HWY_ATTR {
             batch.begin(scale.frame.cellCoordinates(points[0]));
             box.extend(Vec3(batch.point(0)));
             std::size_t strand = 0;
             Rounder rounder;
             for (std::size_t p = 1; p < points.size(); p += batch.size) {
               batch.fill(points, p, scale, longest, box);
-              countSegments(first, p - 1, strand, rounder, batch);
+              countSegments(first, weights, p - 1, strand, rounder, batch);
               if (HWY_UNLIKELY(batch.anyOdd())) writeOdd(scale, longest, batch, writer);
               for (std::size_t l = 0; l < batch.size; l += kLanes)
                 walkColumns(batch.at(l), batch.at(l + 1), loadInts(batch.count + l), pieces);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <libhair/core/strands.h>
 #include <libhair/shadow/cell_writer.h>
@@ -19,6 +20,7 @@ inline constexpr std::uint32_t kManyCounts = 0x40000000u;
 struct StrandRange {
   std::size_t begin, end;
   std::uint32_t stride;
+  std::span<const float> weights{};  ///< of all strands, or empty: all 1
 };
 
 /// Adds `stride`, below kManyCounts, to the cell of each point.

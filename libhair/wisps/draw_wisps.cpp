@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <libhair/wisps/obstacles-inl.h>
 
+#include <libhair/wisps/fewer_points.h>
 #include <libhair/wisps/wisps.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -271,15 +272,43 @@ struct Strand {
   }
 };
 
-void drawStrands(std::size_t begin, std::size_t end, Wisps& wisps) {
+HWY_INLINE void drawStrand(const Wisps& wisps, std::size_t s, glm::vec3* points) {
   const std::uint32_t* first = wisps.groom->first.data();
+  if (first[s + 1] - first[s] == wisps.curves.samples)
+    Strand<true>(wisps, s).draw(points);
+  else
+    Strand<false>(wisps, s).draw(points);
+}
+
+void drawOne(std::size_t s, const Wisps& wisps, glm::vec3* points) {
+  drawStrand(wisps, s, points);
+}
+
+// Those that the level draws, with the points that it leaves them.
+void drawFew(std::size_t begin, std::size_t end, Wisps& wisps) {
+  constexpr std::size_t kUsual = 256;
+  glm::vec3 room[kUsual];
+  std::vector<glm::vec3> longer;
+  const std::vector<std::uint32_t>&first = wisps.groom->first, &drawn = wisps.drawn.first;
   for (std::size_t s = begin; s < end; ++s) {
-    glm::vec3* points = wisps.points.data() + first[s];
-    if (first[s + 1] - first[s] == wisps.curves.samples)
-      Strand<true>(wisps, s).draw(points);
-    else
-      Strand<false>(wisps, s).draw(points);
+    const std::size_t n = first[s + 1] - first[s], kept = drawn[s + 1] - drawn[s];
+    glm::vec3* points = wisps.points.data() + drawn[s];
+    if (kept == 0) continue;
+    if (kept == n) {
+      drawStrand(wisps, s, points);
+      continue;
+    }
+    if (n > kUsual) longer.resize(n);
+    glm::vec3* all = n > kUsual ? longer.data() : room;
+    drawStrand(wisps, s, all);
+    takePoints({all, n}, {points, kept});
   }
+}
+
+void drawStrands(std::size_t begin, std::size_t end, Wisps& wisps) {
+  if (!wisps.drawn.first.empty()) return drawFew(begin, end, wisps);
+  const std::uint32_t* first = wisps.groom->first.data();
+  for (std::size_t s = begin; s < end; ++s) drawStrand(wisps, s, wisps.points.data() + first[s]);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -293,11 +322,16 @@ namespace hair {
 namespace {
 
 HWY_EXPORT(drawStrands);
+HWY_EXPORT(drawOne);
 
 }  // namespace
 
 void drawWisps(std::size_t begin, std::size_t end, Wisps& wisps) {
   HWY_DYNAMIC_DISPATCH(drawStrands)(begin, end, wisps);
+}
+
+void drawWhole(std::size_t strand, const Wisps& wisps, std::span<glm::vec3> points) {
+  HWY_DYNAMIC_DISPATCH(drawOne)(strand, wisps, points.data());
 }
 
 }  // namespace hair

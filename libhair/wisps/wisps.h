@@ -7,6 +7,7 @@
 #include <libhair/core/api.h>
 #include <libhair/guides/contact.h>
 #include <libhair/model/groom.h>
+#include <libhair/model/level_of_detail.h>
 #include <libhair/wisps/guide_curves.h>
 #include <libhair/wisps/obstacles.h>
 
@@ -20,6 +21,15 @@ struct WispSettings {
   std::uint32_t blendPoints = 4;  ///< points above the first hit over which a strand changes over
 };
 
+/// What of a groom is drawn (setLevel).
+struct DrawnPart {
+  LevelOfDetail level;
+  std::vector<std::uint32_t> first;  ///< [strandCount + 1]; empty: all, as the groom has them
+  std::vector<float> weights;  ///< [strandCount], widths as shares of the others', or empty: all 1
+  float wider = 1;             ///< so much wider are strands than those of the groom
+  float solid = 1;             ///< mean of the weights that are not 0
+};
+
 /// Drawn strands that follow guides, as a Groom says.
 struct Wisps {
   /// Guides at rest and the head's collider (may be null): a strand groomed closer to the head
@@ -31,7 +41,15 @@ struct Wisps {
         const MeshSdf* head = nullptr);
 
   /// What interpolateWisps last made.
-  StrandView strands() const { return {points, groom->first}; }
+  StrandView strands() const {
+    return {points, drawn.first.empty() ? std::span(groom->first) : std::span(drawn.first)};
+  }
+  /// The groom's fibre, as wide as strands are drawn.
+  Fibre fibre() const {
+    Fibre fibre = groom->fibre;
+    fibre.hairsPerStrand *= drawn.wider;
+    return fibre;
+  }
   /// Sample of the guide curves that point k of a strand of n points follows: the nearest, exact
   /// where strand and curves have as many points.
   std::uint32_t sampleOf(std::uint32_t k, std::uint32_t n) const {
@@ -42,6 +60,7 @@ struct Wisps {
 
   const Groom* groom;             ///< as given; not owned
   WispSettings settings;          ///< as given
+  DrawnPart drawn;                ///< as setLevel was told
   std::vector<glm::vec3> points;  ///< [pointCount], metres, world
   GuideCurves curves;             ///< of the guides, sampled at the last frame
   /// [strandCount]; where the root sits in the frame at its main guide's root, metres: the offset
@@ -69,5 +88,8 @@ void prepareWisps(const GuideStrands& guides, const ColliderState& colliders, Wi
 /// Draws strands begin to end with what prepareWisps left, on the calling thread: several threads
 /// may draw strands of their own at once. Distance fields that it was given must still be there.
 void drawWisps(std::size_t begin, std::size_t end, Wisps& wisps);
+
+/// Draws one strand with all of its points, whatever is drawn: as many as the groom has.
+void drawWhole(std::size_t strand, const Wisps& wisps, std::span<glm::vec3> points);
 
 }  // namespace hair
