@@ -54,7 +54,7 @@ void takeLevel(Hair& hair) {
 // What self-collision counts: always the same strands, or hair would move when its level changes.
 StrandView feltStrands(const RepulsionSettings& settings, Hair& hair) {
   if (hair.wisps.drawn.first.empty()) return hair.strands();
-  drawEvery(settings.strandStride, hair.wisps, hair.felt);
+  drawEvery(strideCounted(hair.groom->strandCount(), settings), hair.wisps, hair.felt);
   return hair.felt;
 }
 

@@ -134,7 +134,8 @@ class Studio {
  private:
   Performance& performance_;
   draw::OffscreenContext context_;
-  draw::Renderer renderer_;
+  // Every strand casts its shadow: a choice of some would be another one at each level.
+  draw::Renderer renderer_{{4, 1024, 1 << 30}};
   Staging staging_;
 };
 

@@ -120,7 +120,7 @@ GroomDetail::GroomDetail(const Groom& groom) : fibreWidth(groom.fibre.width) {
   std::vector<glm::vec3> roots(strands);
   length.resize(strands);
   // Tables of some strands say enough of all.
-  const std::size_t step = strands / 256 + 1;
+  const std::size_t step = strands / 1024 + 1;
   std::vector<std::array<Reduced, kShares>> some(strands / step + 1);
   parallelFor(strands, 64, [&](std::size_t begin, std::size_t end) {
     std::vector<glm::vec3> points;
@@ -148,6 +148,7 @@ GroomDetail::GroomDetail(const Groom& groom) : fibreWidth(groom.fibre.width) {
     }
   });
   rank = ranksOf(roots);
+  for (auto& table : some) table[0].squares = 0;  // of rounding
   for (std::size_t i = 0; i < kShares; ++i) {
     double squares = 0, kept = 0, whole = 0;
     for (const auto& table : some) {

@@ -224,6 +224,13 @@ int turnsDue(float seconds, const RepulsionSettings& settings, Repulsion& repuls
   return static_cast<int>(std::min(2.0f, turns));
 }
 
+std::uint32_t strideCounted(std::size_t strands, const RepulsionSettings& settings) {
+  // Of few strands more are counted: a lone one that stood for many would push itself away.
+  constexpr std::size_t kFewest = 30;
+  return static_cast<std::uint32_t>(std::min<std::size_t>(
+      std::max<std::size_t>(strands / kFewest, 1), settings.strandStride));
+}
+
 void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSettings& settings,
                     DensityMap& density) {
   DensityMapSettings map;
@@ -232,11 +239,7 @@ void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSetting
   map.deposit = Deposit::Points;
   map.quantity = Quantity::Length;
   clear(density, map, {});
-  // Of few strands more are counted: a lone one that stood for many would push itself away.
-  constexpr std::size_t kFewest = 30;
-  const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(
-      std::max<std::size_t>(drawn.strandCount() / kFewest, 1), settings.strandStride));
-  deposit(drawn, fibre, density, most);
+  deposit(drawn, fibre, density, strideCounted(drawn.strandCount(), settings));
 }
 
 void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& guides,

@@ -45,6 +45,9 @@ struct Repulsion {
 /// the same whatever the length of frames.
 int turnsDue(float seconds, const RepulsionSettings& settings, Repulsion& repulsion);
 
+/// Every so many of the drawn strands are counted for all; all of `strands` where they are few.
+std::uint32_t strideCounted(std::size_t strands, const RepulsionSettings& settings);
+
 /// Fills the map with the drawn hair's length. The map's axes are the world's, not the light's: a
 /// lamp that moves must not move the hair.
 void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSettings& settings,
