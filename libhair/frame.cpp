@@ -45,8 +45,9 @@ namespace {
 
 void takeLevel(Hair& hair) {
   if (hair.level == hair.wisps.drawn.level) return;
-  require(hair.detail, "level of detail: Hair::level is set, but Hair::detail is null; make a "
-                       "GroomDetail of the groom");
+  require(hair.detail,
+          "level of detail: Hair::level is set, but Hair::detail is null; make a "
+          "GroomDetail of the groom");
   setLevel(*hair.detail, hair.level, hair.wisps);
   hair.visibility.clear();  // of other points
 }
@@ -116,7 +117,8 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
       settings.selfCollision ? turnsDue(seconds, settings.repulsion, hair.repulsion) : 0;
   if (turns > 0) {
     const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
-    measureDensity(feltStrands(settings.repulsion, hair), hair.groom->fibre, settings.repulsion, hair.repulsion.density);
+    measureDensity(feltStrands(settings.repulsion, hair), hair.groom->fibre, settings.repulsion,
+                   hair.repulsion.density);
     for (int i = 0; i < turns; ++i) repel(hair.guides, settings.repulsion, hair.repulsion);
     if (settings.wind.shelter > 0) shelter(hair.guides, settings.wind, hair.repulsion);
   }

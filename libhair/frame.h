@@ -113,13 +113,13 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
 /// and each has a map; that of a light which is no more is freed.
 void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile);
 
-/// Draws the hair as it stands at `hair.level`, without a frame; `light` then shadows and shades it.
-/// (For hair that is paused while the camera moves; `frame` does it by itself.) The body has to be
-/// where the last frame left it, scenery's distance fields included.
+/// Draws the hair as it stands at `hair.level`, without a frame; `light` then shadows and shades
+/// it. (For hair that is paused while the camera moves; `frame` does it by itself.) The body has to
+/// be where the last frame left it, scenery's distance fields included.
 void redraw(Hair& hair);
 
-/// Settings of the maps of hair at a level: larger cells, and fewer for the same extent; a footprint
-/// grows with its cells.
+/// Settings of the maps of hair at a level: larger cells, and fewer for the same extent; a
+/// footprint grows with its cells.
 DensityMapSettings mapAt(const LevelOfDetail& level, const DensityMapSettings& settings);
 
 /// Back to rest on the body, then `seconds` without motion, while body and meshes grow from nothing

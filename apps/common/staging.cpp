@@ -34,8 +34,7 @@ std::vector<float> bareness(const Performance& performance) {
   std::vector<glm::vec3> roots;
   const std::size_t stride = std::max<std::size_t>(1, strands.strandCount() / 4000);
   for (std::size_t s = 0; s < strands.strandCount(); s += stride)
-    if (!strands.strand(s).empty())
-      roots.push_back(headFromWorld.point(strands.strand(s).front()));
+    if (!strands.strand(s).empty()) roots.push_back(headFromWorld.point(strands.strand(s).front()));
   std::vector<float> bare(mesh.positions.size());
   parallelFor(bare.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
@@ -127,8 +126,8 @@ void Staging::updateHair(draw::Renderer& renderer) {
   layer.width = drawnWidth(groom) * hair.wisps.drawn.wider;
   layer.opacity = 0.9f;
   // What casts shadows on meshes is as wide whether it is on its way out or not.
-  layer.shadowWidth = groom.fibre.width * groom.fibre.opacity *
-                      hair.wisps.fibre().hairsPerStrand * hair.wisps.drawn.solid;
+  layer.shadowWidth = groom.fibre.width * groom.fibre.opacity * hair.wisps.fibre().hairsPerStrand *
+                      hair.wisps.drawn.solid;
   if (headShadowsHair) renderer.meshVisibility(scene, hair.wisps.points, hair.visibility);
   if (scene.lights != settings.lights) {
     settings.lights = scene.lights;

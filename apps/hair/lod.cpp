@@ -181,16 +181,13 @@ LodRow look(const GroomDetail& detail, const LodOptions& options, float pixels, 
     row.cellSize = hair.maps.front().settings.cellSize;
     for (const DensityMap& m : hair.maps) row.mapMb += static_cast<double>(m.bytes()) * 1e-6;
   }
-  const auto jump = [&](float fade) {
-    DetailSettings settings = options.detail;
-    settings.fade = fade;
-    const auto at = [&](float size) {
-      return studio.shoot(levelFor(detail, size, options.importance, settings), pixels);
-    };
-    return compare(at(pixels), at(kStep * pixels), mask).rms;
+  DetailSettings abrupt = options.detail;
+  abrupt.fade = kAbrupt;
+  const auto at = [&](float size, const DetailSettings& settings) {
+    return studio.shoot(levelFor(detail, size, options.importance, settings), pixels);
   };
-  row.jump = jump(options.detail.fade);
-  row.abruptJump = jump(kAbrupt);
+  row.jump = compare(less, at(kStep * pixels, options.detail), mask).rms;
+  row.abruptJump = compare(at(pixels, abrupt), at(kStep * pixels, abrupt), mask).rms;
   if (!options.sheet.empty())
     for (const Picture& p : {whole, less, difference(whole, less)}) sheet.push_back(enlarged(p));
   return row;

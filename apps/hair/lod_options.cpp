@@ -39,8 +39,9 @@ void addLod(CLI::App& app, Run& run) {
   command->add_option("--yaw", options->yaw, "degrees about the head, 0: before the face")
       ->check(within(-360, 360));
   command->add_option("--pitch", options->pitch, "degrees from above")->check(within(-89.0, 89.0));
-  command->add_option("--sheet", options->sheet,
-                      "pictures at each size: all of the hair, the level, ten times the difference")
+  command
+      ->add_option("--sheet", options->sheet,
+                   "pictures at each size: all of the hair, the level, ten times the difference")
       ->check(endsWith(".png"));
   command->add_option("--csv", options->csv, "the same table, a row a size")
       ->check(endsWith(".csv"));
@@ -49,7 +50,8 @@ void addLod(CLI::App& app, Run& run) {
       "  hair lod --style smooth --strands 33500 --sheet smooth.png\n"
       "  hair lod --hair sintel.tfx --head sintel.obj --sizes 400,100 --csv sintel.csv\n"
       "shadow: transmittance against the whole hair's map at the same points. picture: luminance\n"
-      "against the whole hair, of the same size, as shares of the hair's mean. 1 % on: how much the\n"
+      "against the whole hair, of the same size, as shares of the hair's mean. 1 % on: how much "
+      "the\n"
       "picture changes where the level is that of a head 1 % smaller; abrupt: without fading.");
   command->callback([options, &run] { run = [options] { runLod(*options); }; });
 }

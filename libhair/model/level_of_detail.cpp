@@ -7,6 +7,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/model/fewer_points.h>
 #include <libhair/model/fill_wisps.h>
 
 namespace hair {
@@ -61,8 +62,7 @@ struct Reduced {
 Reduced reduce(std::span<const glm::vec3> points, std::uint32_t segments) {
   const auto all = static_cast<float>(points.size() - 1), some = static_cast<float>(segments);
   std::vector<glm::vec3> kept(segments + 1);
-  for (std::uint32_t j = 0; j <= segments; ++j)
-    kept[j] = pointAt(points, static_cast<float>(j) * (all / some));
+  takePoints(points, kept);
   Reduced r;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const glm::vec3 d = points[k] - pointAt(kept, static_cast<float>(k) * (some / all));
@@ -96,8 +96,7 @@ float LevelOfDetail::weightOf(float rank) const {
 
 std::uint32_t LevelOfDetail::segmentsOf(std::uint32_t segments, float moment) const {
   if (points >= 1) return segments;
-  const auto some =
-      static_cast<std::uint32_t>(points * static_cast<float>(segments) + moment);
+  const auto some = static_cast<std::uint32_t>(points * static_cast<float>(segments) + moment);
   return std::min(std::max(some, 2u), segments);
 }
 
@@ -200,9 +199,8 @@ LevelOfDetail levelFor(const GroomDetail& detail, float pixels, float importance
           " is not in (0, 1]");
   require(positive(settings.strandsPerPixel) && positive(settings.pixelsOff) &&
               settings.pixelsPerCell >= 0 && std::isfinite(settings.pixelsPerCell),
-          "detail settings: ", settings.strandsPerPixel, " strands per pixel, ",
-          settings.pixelsOff, " pixels off or ", settings.pixelsPerCell,
-          " pixels per cell are not positive numbers");
+          "detail settings: ", settings.strandsPerPixel, " strands per pixel, ", settings.pixelsOff,
+          " pixels off or ", settings.pixelsPerCell, " pixels per cell are not positive numbers");
   const float seen = pixels * importance;
   const float pixel = kHeadHeight / seen;
   const auto all = static_cast<float>(std::max<std::size_t>(detail.strandCount(), 1));

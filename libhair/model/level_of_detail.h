@@ -45,16 +45,16 @@ struct GroomDetail {
   /// Reads each strand at rest once. Threads over strands.
   explicit GroomDetail(const Groom& groom);
 
-  /// [strandCount], [0, 1): strands of a lower rank stay longer. Any share of the ranks from 0 on is
-  /// spread evenly over the scalp: the van der Corput sequence along a space-filling curve through
-  /// the roots.
+  /// [strandCount], [0, 1): strands of a lower rank stay longer. Any share of the ranks from 0 on
+  /// is spread evenly over the scalp: the van der Corput sequence along a space-filling curve
+  /// through the roots.
   std::vector<float> rank;
   std::vector<float> length;  ///< [strandCount], at rest, metres
   float fibreWidth = 0;       ///< of the groom, metres
 
   std::size_t strandCount() const { return rank.size(); }
-  /// How far strands are, root of the mean square, from those of a share `points` of their segments,
-  /// metres; 0 for all of them, and growing as the share falls.
+  /// How far strands are, root of the mean square, from those of a share `points` of their
+  /// segments, metres; 0 for all of them, and growing as the share falls.
   float deviation(float points) const;
   /// What is left of strands' lengths then, (0, 1].
   float lengthKept(float points) const;
@@ -68,8 +68,8 @@ struct GroomDetail {
 
 /// What a picture needs of hair, per pixel. The defaults are measured (docs/level_of_detail.md).
 struct DetailSettings {
-  float strandsPerPixel = 20;  ///< strands of the whole groom, per pixel of the head's height
-  float pixelsOff = 0.25f;     ///< how far strands may be from where they were, pixels
+  float strandsPerPixel = 40;  ///< strands of the whole groom, per pixel of the head's height
+  float pixelsOff = 0.1f;      ///< how far strands may be from where they were, pixels
   float pixelsPerCell = 3;     ///< what a cell of a shadow map measures at least
   float fade = 0.25f;          ///< LevelOfDetail::fade
 };

@@ -227,8 +227,8 @@ int turnsDue(float seconds, const RepulsionSettings& settings, Repulsion& repuls
 std::uint32_t strideCounted(std::size_t strands, const RepulsionSettings& settings) {
   // Of few strands more are counted: a lone one that stood for many would push itself away.
   constexpr std::size_t kFewest = 30;
-  return static_cast<std::uint32_t>(std::min<std::size_t>(
-      std::max<std::size_t>(strands / kFewest, 1), settings.strandStride));
+  return static_cast<std::uint32_t>(
+      std::min<std::size_t>(std::max<std::size_t>(strands / kFewest, 1), settings.strandStride));
 }
 
 void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSettings& settings,

@@ -206,8 +206,8 @@ void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint3
       settings.quantity == Quantity::OpticalDepth || !map.light.atPoint(),
       "deposit: lengths are not told apart under a light at a point, whose cells differ in size; "
       "give the density map a parallel light");
-  require(weights.empty() || weights.size() == strands.strandCount(), "deposit: ",
-          strands.strandCount(), " strands but ", weights.size(), " weights");
+  require(weights.empty() || weights.size() == strands.strandCount(),
+          "deposit: ", strands.strandCount(), " strands but ", weights.size(), " weights");
   if (strands.pointCount() == 0) return;
   if (map.empty()) {
     map.frame = makeCellFrame(map.light, strands.points.front(), settings.cellSize, settings.cells);

@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <libhair/wisps/obstacles-inl.h>
 
-#include <libhair/wisps/fewer_points.h>
+#include <libhair/model/fewer_points.h>
 #include <libhair/wisps/wisps.h>
 
 HWY_BEFORE_NAMESPACE();

@@ -5,9 +5,9 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
+#include <libhair/model/fewer_points.h>
 #include <libhair/model/fill_wisps.h>
 #include <libhair/wisps/bind.h>
-#include <libhair/wisps/fewer_points.h>
 
 namespace hair {
 
@@ -56,8 +56,8 @@ void setLevel(const GroomDetail& detail, const LevelOfDetail& level, Wisps& wisp
     points += weight > 0 ? pointsAt(level, groom, s) : 0;
   }
   drawn.first[strands] = points;
-  drawn.wider = weighted > 0 ? static_cast<float>(all / weighted) / detail.lengthKept(level.points)
-                             : 1.0f;
+  drawn.wider =
+      weighted > 0 ? static_cast<float>(all / weighted) / detail.lengthKept(level.points) : 1.0f;
   drawn.solid = seen > 0 ? static_cast<float>(weighted / seen) : 1.0f;
   wisps.points.resize(points);
 }
@@ -67,8 +67,8 @@ void fadeColours(const Wisps& wisps, std::span<std::uint32_t> colours) {
   for (std::size_t s = 0; s < drawn.weights.size(); ++s) {
     if (drawn.weights[s] >= 1) continue;
     for (std::uint32_t p = drawn.first[s]; p < drawn.first[s + 1]; ++p) {
-      const auto opacity =
-          static_cast<std::uint32_t>(static_cast<float>(colours[p] >> 24) * drawn.weights[s] + 0.5f);
+      const auto opacity = static_cast<std::uint32_t>(
+          static_cast<float>(colours[p] >> 24) * drawn.weights[s] + 0.5f);
       colours[p] = (colours[p] & 0xffffffu) | opacity << 24;
     }
   }
@@ -87,8 +87,7 @@ void drawEvery(std::uint32_t stride, const Wisps& wisps, StrandSet& out) {
   out.first[strands] = points;
   out.points.resize(points);
   parallelFor((strands + stride - 1) / stride, 32, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      drawWhole(i * stride, wisps, out.strand(i * stride));
+    for (std::size_t i = begin; i < end; ++i) drawWhole(i * stride, wisps, out.strand(i * stride));
   });
 }
 

@@ -260,8 +260,8 @@ TEST(Level, AStrandOfHalfTheWidthDarkensHalfAsMuch) {
         return lit.depth();
       };
       const double one = depthOf(std::vector<float>{1, 0}), two = depthOf(std::vector<float>{0, 1});
-      EXPECT_NEAR(depthOf(std::vector<float>{1, weight}),
-                  one + static_cast<double>(weight) * two, 1e-5 * (one + two));
+      EXPECT_NEAR(depthOf(std::vector<float>{1, weight}), one + static_cast<double>(weight) * two,
+                  1e-5 * (one + two));
       EXPECT_EQ(depthOf(std::vector<float>{1, 1}), depthOf({}));
     }
 }
