@@ -272,7 +272,8 @@ struct Strand {
   }
 };
 
-HWY_INLINE void drawStrand(const Wisps& wisps, std::size_t s, glm::vec3* points) {
+// One copy of all that is inlined into it.
+HWY_NOINLINE void drawStrand(const Wisps& wisps, std::size_t s, glm::vec3* points) {
   const std::uint32_t* first = wisps.groom->first.data();
   if (first[s + 1] - first[s] == wisps.curves.samples)
     Strand<true>(wisps, s).draw(points);
