@@ -73,17 +73,17 @@ struct Hair {
   GuideStrands guides;                  ///< what is simulated
   Wisps wisps;                          ///< what is drawn
   Repulsion repulsion;                  ///< density of the drawn hair, and its push
-  std::vector<DensityMap> maps;        ///< [lights]; empty while shadows are off
-  std::vector<float> transmittance;    ///< [lights · pointCount]; empty while shadows are off
-  std::vector<float> visibility;       ///< [lights · pointCount], what head and body leave of each
-                                       ///< light; the caller's to fill, empty: all of it
-  std::vector<std::uint32_t> colours;  ///< [pointCount] sRGB bytes (shadeKajiyaKay); or empty
-  RigidTransform worldFromHead;        ///< at the end of the last frame
-  std::vector<Capsule> capsules;       ///< body then
-  std::vector<Plane> planes;           ///< scenery then
-  std::vector<MeshCollider> meshes;    ///< scenery then
-  double time = 0;                     ///< simulated seconds
-  GuideWorkspace workspace;            ///< scratch of stepGuides
+  std::vector<DensityMap> maps;         ///< [lights]; empty while shadows are off
+  std::vector<float> transmittance;     ///< [lights · pointCount]; empty while shadows are off
+  std::vector<float> visibility;        ///< [lights · pointCount], what head and body leave of each
+                                        ///< light; the caller's to fill, empty: all of it
+  std::vector<std::uint32_t> colours;   ///< [pointCount] sRGB bytes (shadeKajiyaKay); or empty
+  RigidTransform worldFromHead;         ///< at the end of the last frame
+  std::vector<Capsule> capsules;        ///< body then
+  std::vector<Plane> planes;            ///< scenery then
+  std::vector<MeshCollider> meshes;     ///< scenery then
+  double time = 0;                      ///< simulated seconds
+  GuideWorkspace workspace;             ///< scratch of stepGuides
   StrandSet felt;  ///< scratch: strands that self-collision counts, where fewer are drawn
 
   /// The drawn strands of the last frame, world space.
