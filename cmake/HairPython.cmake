@@ -1,0 +1,16 @@
+# Sets HAIR_PYTHON_FOUND: whether the package libhair can be built here.
+set(HAIR_PYTHON_FOUND OFF)
+if(NOT DEFINED Python_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "the Python that libhair is built for")
+endif()
+find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module NumPy)
+if(Python_FOUND)
+  set(PYBIND11_FINDPYTHON ON)
+  find_package(pybind11 2.10 QUIET CONFIG)
+endif()
+if(Python_FOUND AND pybind11_FOUND)
+  set(HAIR_PYTHON_FOUND ON)
+else()
+  message(STATUS "No Python package: it needs Python 3 with headers, NumPy and pybind11 "
+    "(cmake/packages/python.txt)")
+endif()

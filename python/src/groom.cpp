@@ -1,0 +1,218 @@
+// Hair at rest: built-in styles, strands of one's own, hair meshes.
+#include "groom.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include <libhair/core/error.h>
+#include <libhair/guides/guide_strands.h>
+#include <libhair/model/styles.h>
+#include <libhair/wisps/bind.h>
+#include <libhair/wisps/wisps.h>
+
+#include "choices.h"
+#include "topics.h"
+#ifdef HAIR_PYTHON_HAIR_MESH
+#include <libhair/hair_mesh/hair_mesh_file.h>
+#include <libhair/hair_mesh/hair_mesh_script.h>
+#include <libhair/hair_mesh/mesh_groom.h>
+#endif
+
+namespace hair::python {
+
+namespace {
+
+// A read-only array over a vector of the groom, which it keeps.
+template <class Scalar, class T>
+py::array groomArray(const GroomPtr& groom, const std::vector<T>& items, Shape shape) {
+  return arrayOver(reinterpret_cast<const Scalar*>(items.data()), shape, capsuleOf(groom));
+}
+template <class Scalar, class T>
+py::array rows(const GroomPtr& groom, const std::vector<T>& items) {
+  return groomArray<Scalar>(groom, items, {static_cast<py::ssize_t>(items.size()), 3});
+}
+
+// The door: a groom from arrays must not lead a later pass out of them.
+void check(const Groom& groom) {
+  validate(StrandView{std::vector<glm::vec3>(groom.pointCount()), groom.first}, "groom", 2);
+  require(
+      groom.strandCount() + 1 == groom.first.size() && groom.weights.size() == groom.strandCount(),
+      "groom: ", groom.first.size() - 1, " strands, but ", groom.parents.size(), " parents and ",
+      groom.weights.size(), " weights");
+  // What simulates it looks at all the rest.
+  const GuideStrands guides(groom, {});
+  const Wisps wisps(groom, guides);
+}
+
+GroomPtr groomOf(const py::object& guidePoints, const py::object& first, const py::object& parents,
+                 const py::object& weights, const py::object& offsets, const py::object& tied,
+                 const Fibre& fibre) {
+  const auto f32 = py::dtype::of<float>(), u32 = py::dtype::of<std::uint32_t>();
+  const auto copy = []<class T>(auto span, std::vector<T>& to) {
+    to.assign(span.begin(), span.end());
+  };
+  auto groom = std::make_shared<Groom>();
+  const py::array g = requireArray(guidePoints, "guide_points", f32, {kAny, kAny, 3});
+  groom->pointsPerGuide = static_cast<std::uint32_t>(g.shape(1));
+  copy(pointsOf(g), groom->guidePoints);
+  const py::array s = requireArray(first, "first", u32, {kAny});
+  copy(spanOf<const std::uint32_t, std::uint32_t>(s), groom->first);
+  const py::ssize_t strands = std::max<py::ssize_t>(s.size() - 1, 0);
+  copy(spanOf<const glm::uvec3, std::uint32_t>(requireArray(parents, "parents", u32, {strands, 3})),
+       groom->parents);
+  copy(pointsOf(requireArray(weights, "weights", f32, {strands, 3})), groom->weights);
+  if (!offsets.is_none()) copy(pointsOf(requirePoints(offsets, "offsets")), groom->offsets);
+  if (!tied.is_none())
+    copy(spanOf<const std::uint32_t, std::uint32_t>(requireArray(tied, "tied", u32, {g.shape(0)})),
+         groom->tied);
+  groom->fibre = fibre;
+  require(!groom->first.empty(), "groom: first is empty; of no strands it is [0]");
+  withoutLock([&] { check(*groom); });
+  return groom;
+}
+
+float longestGuide(const Groom& groom) {
+  float longest = 0;
+  for (std::size_t g = 0; g < groom.guideCount(); ++g)
+    longest = std::max(longest, arcLength(groom.guide(g)));
+  return longest;
+}
+
+GroomPtr grow(const StyleSettings& settings, const Field& head) {
+  return withoutLock([&] {
+    // As the library's programs have it: cells of 4 mm.
+    const Field field = head ? head : std::make_shared<MeshSdf>(builtinHead().mesh, 0.004f, 0.03f);
+    return std::make_shared<Groom>(makeGroom(settings, *field));
+  });
+}
+
+// A groom of a hair mesh, by the name of its file.
+GroomPtr meshGroom(const std::filesystem::path& path, std::uint32_t strands, std::uint32_t points,
+                   std::uint32_t pointsPerGuide, float hairs) {
+#ifdef HAIR_PYTHON_HAIR_MESH
+  return withoutLock([&] {
+    Hairstyle style;
+    if (path.extension() == ".hairmesh")
+      style = applyScript(readHairMeshScript(path), filesBeside(path));
+    else
+      style.mesh = readHairMesh(path);
+    if (style.groups.empty()) style.groups.emplace_back();
+    for (StrandGroup& group : style.groups) {
+      if (points > 0) group.points = points;
+      if (strands > 0) {
+        group.strands = strands;
+        group.perSquareMetre = 0;
+      }
+    }
+    const GrownHair grown = growHair(style.mesh, style.groups);
+    return std::make_shared<Groom>(
+        makeGroom(style.mesh, grown.roots, grown.strands, {pointsPerGuide, hairs, style.tied}));
+  });
+#else
+  (void)strands, (void)points, (void)pointsPerGuide, (void)hairs;
+  throw Error(path.string() + ": this libhair was built without hair meshes (HAIR_WITH_HAIR_MESH)");
+#endif
+}
+
+void bindGroomClass(py::module_& m) {
+  py::class_<Groom, GroomPtr>(m, "Groom",
+                              R"(A hairstyle at rest: guides, and how drawn strands follow them.
+
+Head space: metres, +Y up, +Z where the face looks, origin at the joint on which the head turns. It
+does not change; a simulation works on its arrays. G guides of P points, S strands, N points.)")
+      .def(py::init(&groomOf), py::arg("guide_points"), py::arg("first"), py::arg("parents"),
+           py::arg("weights"), py::arg("offsets") = py::none(), py::arg("tied") = py::none(),
+           py::arg("fibre") = Fibre{},
+           R"(From arrays, which are copied; Error where they disagree.
+
+guide_points (G, P, 3) float32; first (S + 1,) uint32; parents (S, 3) uint32, the first is the main
+guide; weights (S, 3) float32, sum 1; offsets (N, 3) float32, metres in the main guide's frame;
+tied (G,) uint32, points of each guide that keep their places on the head.)")
+      .def_property_readonly(
+          "guide_points",
+          [](const GroomPtr& g) {
+            return groomArray<float>(g, g->guidePoints,
+                                     {static_cast<py::ssize_t>(g->guideCount()),
+                                      static_cast<py::ssize_t>(g->pointsPerGuide), 3});
+          },
+          "(G, P, 3) float32, metres; a read-only view.")
+      .def_property_readonly(
+          "first",
+          [](const GroomPtr& g) {
+            return groomArray<std::uint32_t>(g, g->first,
+                                             {static_cast<py::ssize_t>(g->first.size())});
+          },
+          "(S + 1,) uint32; a read-only view.")
+      .def_property_readonly(
+          "parents", [](const GroomPtr& g) { return rows<std::uint32_t>(g, g->parents); },
+          "(S, 3) uint32; a read-only view.")
+      .def_property_readonly(
+          "weights", [](const GroomPtr& g) { return rows<float>(g, g->weights); },
+          "(S, 3) float32; a read-only view.")
+      .def_property_readonly(
+          "offsets", [](const GroomPtr& g) { return rows<float>(g, g->offsets); },
+          "(N, 3) float32, metres, or (0, 3) where there are none; a read-only view.")
+      .def_property_readonly(
+          "tied",
+          [](const GroomPtr& g) {
+            return groomArray<std::uint32_t>(g, g->tied,
+                                             {static_cast<py::ssize_t>(g->tied.size())});
+          },
+          "(G,) uint32, or (0,) where roots alone are; a read-only view.")
+      .def_property_readonly(
+          "fibre", [](const Groom& g) { return g.fibre; }, "What a strand stands for; a copy.")
+      .def_property_readonly("guide_count", &Groom::guideCount, "G.")
+      .def_property_readonly(
+          "points_per_guide", [](const Groom& g) { return g.pointsPerGuide; }, "P.")
+      .def_property_readonly("strand_count", &Groom::strandCount, "S.")
+      .def_property_readonly("point_count", &Groom::pointCount, "N.")
+      .def_property_readonly("longest_guide", &longestGuide, "Metres.")
+      .def("__repr__", [](const Groom& g) {
+        return text("<Groom: ", g.guideCount(), " guides of ", g.pointsPerGuide, " points, ",
+                    g.strandCount(), " strands, ", g.pointCount(), " points>");
+      });
+}
+
+}  // namespace
+
+void bindGrooms(py::module_& m) {
+  bindGroomClass(m);
+  m.def("style_settings", &styleSettings, py::arg("style") = Style::Smooth,
+        "The StyleSettings of a built-in style: \"smooth\", \"curly\" or \"long\".");
+  m.def(
+      "make_groom", [](Style style, const Field& head) { return grow(styleSettings(style), head); },
+      py::arg("style") = Style::Smooth, py::arg("head") = py::none(),
+      R"(Grows a built-in style on the built-in head.
+
+style: "smooth", "curly" or "long", or StyleSettings. head: DistanceField(builtin_head()), which is
+made for the purpose where it is not given.)");
+  m.def(
+      "make_groom",
+      [](const StyleSettings& settings, const Field& head) { return grow(settings, head); },
+      py::arg("style"), py::arg("head") = py::none(), "The same with settings.");
+  m.def(
+      "bind_groom",
+      [](const Strands& strands, const BindSettings& settings, float hairs) {
+        const StrandView view = strands.view(2);
+        return withoutLock(
+            [&] { return std::make_shared<Groom>(bindGroom(view, settings, hairs)); });
+      },
+      py::arg("strands"), py::arg("settings") = BindSettings{}, py::arg("hairs") = 100'000.f,
+      R"(A Groom from strands of one's own (head space, metres, at least 2 points each).
+
+Some strands become guides, all follow them, and at rest they are where they were. hairs: that the
+strands stand for together. Error for strands without length (Strands.without_degenerate).)");
+  m.def("hair_mesh_groom", &meshGroom, py::arg("path"), py::arg("strands") = 0,
+        py::arg("points") = 0, py::arg("points_per_guide") = 0, py::arg("hairs") = 100'000.f,
+        R"(A Groom from a hair mesh: a script (.hairmesh), or layers (.obj).
+
+strands: of each group, points: of a strand; 0: what the script says. Error where this libhair was
+built without hair meshes.)");
+#ifdef HAIR_PYTHON_HAIR_MESH
+  m.attr("has_hair_mesh") = true;
+#else
+  m.attr("has_hair_mesh") = false;
+#endif
+}
+
+}  // namespace hair::python

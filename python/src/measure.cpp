@@ -1,0 +1,4 @@
+#include "topics.h"
+namespace hair::python {
+void bindMeasure(pybind11::module_&) {}
+}

@@ -1,0 +1,190 @@
+// Shadows on strands: in one call, by any method, or pass by pass on a density map.
+#include "shadow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <libhair/core/error.h>
+#include <libhair/shade/kajiya_kay.h>
+#include <libhair/shadow/automatic.h>
+#include <libhair/shadow/methods/shadow_method.h>
+
+#include "choices.h"
+#include "topics.h"
+
+namespace hair::python {
+
+LightSpace lightSpaceFor(const Light& light, const std::optional<glm::vec3>& pivot,
+                         StrandView strands) {
+  if (pivot) return lightSpaceOf(light, *pivot);
+  const bool none = strands.points.empty();
+  return lightSpaceOf(light, none ? glm::vec3(0) : bounds(strands.points).centre());
+}
+
+namespace {
+
+// Points to look at, or the strands' own (None).
+struct Places {
+  py::object given;
+  py::array points;
+
+  Places(const py::object& at, const Strands& strands)
+      : given(at), points(at.is_none() ? strands.points : requirePoints(at, "at")) {}
+  Shape shape() const { return {points.shape(0)}; }
+};
+
+// Finite, or a look-up leaves the map.
+std::span<const glm::vec3> checkedPoints(const py::array& points, std::string_view name) {
+  const auto items = pointsOf(points);
+  for (std::size_t i = 0; i < items.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      require(std::abs(items[i][c]) < 1e8f, name, ": point ", i,
+              " is not finite, or beyond 1e8 m (check the scale)");
+  return items;
+}
+
+py::array shadow(const Strands& strands, const Light& light, float footprint, const Fibre& fibre,
+                 const std::optional<ShadowSettings>& method, const std::optional<glm::vec3>& pivot,
+                 const py::object& at, const py::object& out) {
+  const StrandView view = strands.view();
+  const Places places(at, strands);
+  const auto points = checkedPoints(places.points, "at");
+  const py::array result = outputOf<float>(out, places.shape());
+  const auto to = spanOf<float, float>(result);
+  withoutLock([&] {
+    require(std::isfinite(footprint) && footprint > 0, "shadow: footprint: ", footprint,
+            " m; shadows are averaged over a disc of that radius, 3e-3 say");
+    const LightSpace space = lightSpaceFor(light, pivot, view);
+    const auto made = makeShadowMethod(
+        method ? *method : ShadowSettings(automaticMapSettings(view, space, footprint)));
+    made->build(view, fibre, space);
+    if (at.is_none())
+      made->sampleStrands(view, to);
+    else
+      made->sample(points, to);
+  });
+  return result;
+}
+
+/// A ShadowMethod that knows its settings.
+class Method {
+ public:
+  explicit Method(const ShadowSettings& settings)
+      : settings_(settings), method_(makeShadowMethod(settings)) {}
+
+  void build(const Strands& strands, const Light& light, const Fibre& fibre,
+             const std::optional<glm::vec3>& pivot) {
+    const Busy busy(busy_, "shadow method");
+    const StrandView view = strands.view();
+    withoutLock([&] { method_->build(view, fibre, lightSpaceFor(light, pivot, view)); });
+    built_ = true;
+  }
+  py::array sample(const py::object& points, const py::object& out) {
+    const Busy busy(busy_, "shadow method");
+    requireBuilt();
+    const py::array in = requirePoints(points, "points");
+    const auto from = checkedPoints(in, "points");
+    const py::array result = outputOf<float>(out, {in.shape(0)});
+    const auto to = spanOf<float, float>(result);
+    withoutLock([&] { method_->sample(from, to); });
+    return result;
+  }
+  py::array sampleStrands(const Strands& strands, const py::object& out) {
+    const Busy busy(busy_, "shadow method");
+    requireBuilt();
+    const StrandView view = strands.view();
+    const py::array result = outputOf<float>(out, {strands.points.shape(0)});
+    const auto to = spanOf<float, float>(result);
+    withoutLock([&] { method_->sampleStrands(view, to); });
+    return result;
+  }
+  const ShadowSettings& settings() const { return settings_; }
+  std::size_t bytes() const { return built_ ? method_->bytes() : 0; }
+  std::string name() const { return methodName(settings_); }
+  std::string text() const { return settingsText(settings_); }
+
+ private:
+  void requireBuilt() const {
+    require(built_, "shadow method: nothing was built yet; call build(strands, light)");
+  }
+  ShadowSettings settings_;
+  std::unique_ptr<ShadowMethod> method_;
+  bool built_ = false, busy_ = false;
+};
+
+void bindMethod(py::module_& m) {
+  py::class_<Method>(m, "ShadowMethod",
+                     R"(One way to shadow hair: build for strands and a light, then look up.
+
+A second build reuses the memory of the first.)")
+      .def(py::init<const ShadowSettings&>(), py::arg("settings"),
+           "Settings of any method; Error where they are out of range.")
+      .def("build", &Method::build, py::arg("strands"), py::arg("light"),
+           py::arg("fibre") = Fibre{}, py::kw_only(), py::arg("pivot") = py::none(),
+           "For these strands under this light. pivot: what a light at a point looks at, metres; "
+           "None: the middle of the hair.")
+      .def("sample", &Method::sample, py::arg("points"), py::arg("out") = py::none(),
+           "Transmittance at points (N, 3) float32: (N,) float32, [0, 1]; in `out` if given.")
+      .def("sample_strands", &Method::sampleStrands, py::arg("strands"),
+           py::arg("out") = py::none(),
+           "At all points of the strands it was built for, without a strand's own shadow where the "
+           "method knows how: (N,) float32.")
+      .def_property_readonly("settings", &Method::settings, "What it was made with; a copy.")
+      .def_property_readonly("name", &Method::name, "\"density map\", \"deep opacity map\" ...")
+      .def_property_readonly("bytes", &Method::bytes, "In memory between build and sample.")
+      .def("__repr__", [](const Method& method) {
+        return "<ShadowMethod: " + method.name() + " " + method.text() + ">";
+      });
+}
+
+py::array shade(const Strands& strands, const std::vector<Light>& lights,
+                const KajiyaKaySettings& look, const py::object& transmittance,
+                const py::object& visibility, glm::vec3 eye, const std::optional<glm::vec3>& pivot,
+                const py::object& out) {
+  const StrandView view = strands.view();
+  const py::ssize_t count = strands.points.shape(0);
+  const Shape each = {static_cast<py::ssize_t>(lights.size()), count};
+  const auto share = [&](const py::object& given, const char* name) -> std::span<const float> {
+    if (given.is_none()) return {};
+    return spanOf<const float, float>(requireArray(given, name, py::dtype::of<float>(), each));
+  };
+  Illumination illumination{lights, pivot.value_or(glm::vec3(0)), eye,
+                            share(transmittance, "transmittance"), share(visibility, "visibility")};
+  if (!pivot && count > 0) illumination.pivot = bounds(view.points).centre();
+  py::array result = outputOf<std::uint8_t>(out, {count, 4});
+  if (reinterpret_cast<std::uintptr_t>(result.data()) % alignof(std::uint32_t) != 0)
+    throw py::value_error("out: not aligned to 4 bytes");
+  const auto to = spanOf<std::uint32_t, std::uint8_t>(result);
+  withoutLock([&] { shadeKajiyaKay(view, illumination, look, to); });
+  return result;
+}
+
+}  // namespace
+
+void bindDensityMap(py::module_& m);
+
+void bindShadows(py::module_& m) {
+  bindMethod(m);
+  bindDensityMap(m);
+  m.def("shadow", &shadow, py::arg("strands"), py::arg("light"), py::arg("footprint") = 3e-3f,
+        py::kw_only(), py::arg("fibre") = Fibre{}, py::arg("method") = py::none(),
+        py::arg("pivot") = py::none(), py::arg("at") = py::none(), py::arg("out") = py::none(),
+        R"(How much of the light gets to strands: transmittance, float32, 1 lit, 0 dark.
+
+footprint: radius of the disc that shadows are averaged over, metres. fibre: what a strand stands
+for; a strand that is one hair is Fibre(hairs_per_strand=1). method: settings of any method; None:
+the density map as measurement chose it for the footprint. pivot: what a light at a point looks at,
+None: the middle of the hair. at: other points (M, 3) float32, a floor say; None: the strands' own,
+without a strand's own shadow. Returns (N,) or (M,), `out` if given.)");
+  m.def("shade", &shade, py::arg("strands"), py::arg("lights"),
+        py::arg("look") = KajiyaKaySettings{}, py::kw_only(), py::arg("transmittance") = py::none(),
+        py::arg("visibility") = py::none(), py::arg("eye") = glm::vec3(0, 0, 1),
+        py::arg("pivot") = py::none(), py::arg("out") = py::none(),
+        R"(Colours of all points, (N, 4) uint8: sRGB and 255 (Kajiya and Kay 1989).
+
+transmittance, visibility: (lights, N) float32, what hair, and what all else, leaves of each light;
+None: all. eye: where the picture is taken from, metres. pivot: where the colours of lights at points
+are given, None: the middle of the hair. out: (N, 4) uint8 to write to.)");
+}
+
+}  // namespace hair::python

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <libhair/frame.h>
+
+#include "groom.h"
+#include "motion.h"
+#include "shared_vector.h"
+
+namespace hair::python {
+
+/// A distance field and its place.
+struct PlacedField {
+  Field field;
+  RigidTransform worldFromMesh;
+  float scale;
+};
+
+/// What a call says of the body; null, None: as it was.
+struct BodyChange {
+  PosePtr pose{};
+  std::optional<RigidTransform> worldFromHead{};
+  py::object capsules = py::none(), planes = py::none();  ///< rows of 7, of 6
+  std::optional<std::vector<PlacedField>> meshes{};
+};
+
+/// A head of hair with all that it refers to.
+class Simulation {
+ public:
+  Simulation(GroomPtr groom, const FrameSettings& settings, Field head, const BodyChange& body,
+             const WispSettings& wisps);
+
+  void step(double seconds, const BodyChange& change);
+  /// Frames with the motion's poses, or as the body stands. Returns how many it did.
+  int run(int frames, double seconds, const Motion* motion, std::optional<double> start,
+          const py::object& onFrame);
+  void restart(double settle, const BodyChange& change);
+  void light();
+  void teleport(const RigidTransform& worldFromHead);
+  void moveOrigin(glm::vec3 origin);
+  void changeColliders(const BodyChange& change);
+  bool changeGroom(GroomPtr groom);
+  py::bytes saveState();
+  void restoreState(const py::bytes& state);
+
+  py::array points();
+  py::array first();
+  py::array transmittance();
+  py::array colours();
+  py::array guidePoints() const;
+  py::object visibility() const;
+  void setVisibility(const py::object& visibility);
+  py::dict profile() const;
+  py::dict stats() const;
+  std::string stateHash() const;
+
+  const Hair& hair() const { return *hair_; }
+  const RigidTransform& worldFromHead() const { return body_.worldFromHead; }
+
+  FrameSettings settings;
+
+ private:
+  struct Body {
+    RigidTransform worldFromHead;
+    std::vector<Capsule> capsules;
+    std::vector<Plane> planes;
+    std::vector<MeshCollider> meshes;
+    std::vector<Field> fields;  // of the meshes
+
+    BodyState state() const { return {worldFromHead, capsules, {planes, meshes}}; }
+  };
+  static Body changed(Body body, const BodyChange& change);
+  void frameTo(Body next, double seconds);
+  void becoming(bool otherPoints);
+
+  GroomPtr groom_;
+  Field head_;
+  Body body_;
+  std::vector<Field> fieldsGiven_;  // by the last call: hair_ may point at them where it threw
+  std::shared_ptr<Hair> hair_;
+  FrameProfile profile_{};
+  bool busy_ = false;
+  SharedVector<glm::vec3> points_;
+  SharedVector<float> transmittance_;
+  SharedVector<std::uint32_t> colours_;
+};
+
+}  // namespace hair::python
