@@ -18,7 +18,7 @@ FOLDER = pathlib.Path(__file__).parent / "libhair"
 HEADER = '''"""Written by write_stubs.py; do not edit."""
 
 import os
-from typing import Any, Callable, Iterable, Literal, Optional, Sequence, Union, overload
+from typing import Any, Callable, Iterator, Literal, Optional, Sequence, Union, overload
 
 import numpy
 from numpy.typing import NDArray
@@ -36,12 +36,12 @@ Quaternion = tuple[float, float, float, float]
 
 def python_type(name, given):
     name = name.replace("libhair._libhair.", "")
-    name = name.replace("numpy.ndarray", "NDArray[Any]").replace("os.PathLike", "Union[str, os.PathLike[str]]")
+    name = re.sub(r"numpy\.ndarray\b(?!\[)", "NDArray[Any]", name).replace("numpy.ndarray", "NDArray").replace("os.PathLike", "Union[str, os.PathLike[str]]")
     name = re.sub(r"\b(List|Tuple|Dict|Set)\[", lambda m: m[1].lower() + "[", name)
     name = re.sub(r"\b(object|sequence|args|kwargs)\b", "Any", name)
     name = re.sub(r"\bfunction\b", "Callable[..., Any]", name)
     if given:
-        name = re.sub(r"\blist\[", "Iterable[", name)
+        name = re.sub(r"\blist\[", "Sequence[", name).replace("tuple[Light, ...]", "Sequence[Light]")
         for of, wider in GIVEN.items():
             name = re.sub(rf"(?<![\w\"]){of}\b", wider, name)
     return name
@@ -92,6 +92,8 @@ def function(name, doc, indent, in_class, static=False):
             args, result = ["self", "other: object, /"], "bool"
         if name == "__exit__":
             args = ["self", "*args: Any"]
+        if name == "__iter__":
+            result = "Iterator[NDArray[Any]]"
         if name == "__enter__":
             result = "thread_limit"
         lines.append(f"{indent}def {name}({', '.join(args)}) -> {python_type(result, False)}: ...")
@@ -106,7 +108,7 @@ def property_type(cls, name):
     doc = vars(cls)[name].fget.__doc__ or ""
     found = re.search(r"-> (.+)$", doc, re.M)
     kind = python_type(found[1], False) if found else "Any"
-    return {"tuple": "tuple[Any, ...]"}.get(kind, kind)
+    return {"tuple": "tuple[Light, ...]"}.get(kind, kind)
 
 
 def class_stub(name, cls):
@@ -127,7 +129,7 @@ def class_stub(name, cls):
             kind = property_type(cls, member)
             lines += ["    @property", f"    def {member}(self) -> {kind}: ..."]
             if value.fset:
-                lines += [f"    @{member}.setter", f"    def {member}(self, value: {python_type(kind, True)}) -> None: ..."]
+                lines += [f"    @{member}.setter", f"    def {member}(self, value: {kind}) -> None: ..."]
         elif isinstance(value, staticmethod) or type(value).__name__ in ("staticmethod",):
             lines += function(member, value.__func__.__doc__ or "", "    ", True, static=True)
         elif callable(value) or type(value).__name__ == "instancemethod":

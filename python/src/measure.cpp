@@ -91,8 +91,10 @@ MachineCosts calibrated(const py::object& strands, const Fibre& fibre, int repea
 }
 
 void bindTruth(py::module_& m) {
-  py::class_<Points, PointsPtr>(m, "SamplePoints", "Strand points at which transmittance is wanted.")
-      .def("__len__", [](const Points& p) { return p.items.size(); }, "Points.")
+  py::class_<Points, PointsPtr>(m, "SamplePoints",
+                                "Strand points at which transmittance is wanted.")
+      .def(
+          "__len__", [](const Points& p) { return p.items.size(); }, "Points.")
       .def_property_readonly(
           "strand",
           [](const PointsPtr& p) {
@@ -118,7 +120,8 @@ void bindTruth(py::module_& m) {
         return std::make_shared<Points>(Points{chooseSamplePoints(view, count, seed)});
       },
       py::arg("strands"), py::arg("count"), py::arg("seed") = TruthSettings{}.seed,
-      "So many SamplePoints at random, each of its own strand as long as there are enough; no roots.");
+      "So many SamplePoints at random, each of its own strand as long as there are enough; no "
+      "roots.");
 
   py::class_<TruthAt, TruthPtr>(m, "Truth", "Exact transmittance at some points of strands.")
       .def_readonly("points", &TruthAt::points, "SamplePoints.")
@@ -127,14 +130,16 @@ void bindTruth(py::module_& m) {
           "transmittance",
           [](const TruthPtr& t) {
             const auto& values = t->truth.transmittance;
-            return arrayOver(values.data(), {static_cast<py::ssize_t>(values.size())}, capsuleOf(t));
+            return arrayOver(values.data(), {static_cast<py::ssize_t>(values.size())},
+                             capsuleOf(t));
           },
           "(N,) float32, [0, 1]; a read-only view.")
       .def_property_readonly(
           "standard_error",
           [](const TruthPtr& t) {
             const auto& values = t->truth.standardError;
-            return arrayOver(values.data(), {static_cast<py::ssize_t>(values.size())}, capsuleOf(t));
+            return arrayOver(values.data(), {static_cast<py::ssize_t>(values.size())},
+                             capsuleOf(t));
           },
           "(N,) float32; a read-only view.")
       .def("__repr__", [](const TruthAt& t) {
@@ -156,9 +161,9 @@ void bindErrors(py::module_& m) {
   py::class_<Figure>(m, "Figure", "A measured number.")
       .def_readonly("value", &Figure::value, "The number.")
       .def_readonly("standard_error", &Figure::standardError, "Its standard error.")
-      .def("__float__", [](const Figure& f) { return f.value; }, "The number.")
-      .def("__repr__",
-           [](const Figure& f) { return text(f.value, " ± ", f.standardError); });
+      .def(
+          "__float__", [](const Figure& f) { return f.value; }, "The number.")
+      .def("__repr__", [](const Figure& f) { return text(f.value, " ± ", f.standardError); });
   py::class_<ErrorFigures>(m, "ErrorFigures", "How far transmittances are from the truth.")
       .def_readonly("mean_absolute", &ErrorFigures::meanAbsolute, "Figure.")
       .def_readonly("rms", &ErrorFigures::rms, "Figure: root of the mean square.")
@@ -172,8 +177,7 @@ void bindErrors(py::module_& m) {
       "error_figures",
       [](const py::object& measured, const TruthAt& truth) {
         const auto count = static_cast<py::ssize_t>(truth.truth.transmittance.size());
-        const py::array in =
-            requireArray(measured, "measured", py::dtype::of<float>(), {count});
+        const py::array in = requireArray(measured, "measured", py::dtype::of<float>(), {count});
         return errorFigures(spanOf<const float, float>(in), truth.truth);
       },
       py::arg("measured"), py::arg("truth"),
@@ -203,7 +207,8 @@ void bindTrials(py::module_& m) {
       },
       py::arg("strands"), py::arg("light"), py::arg("footprint") = TruthSettings{}.footprint,
       py::arg("set") = CandidateSet::Quick, py::kw_only(), py::arg("pivot") = py::none(),
-      "What is worth trying at this footprint (metres). set: \"quick\", each method once; \"all\".");
+      "What is worth trying at this footprint (metres). set: \"quick\", each method once; "
+      "\"all\".");
 
   py::class_<ShadowTrial, std::shared_ptr<ShadowTrial>>(
       m, "Trial", "What a way to shadow costs, and how far from the truth it is.")
@@ -227,11 +232,12 @@ void bindTrials(py::module_& m) {
                           : text("<Trial: ", t.candidate.label, ": error ",
                                  t.error.meanAbsolute.value, ", ", t.milliseconds(), " ms>");
       });
-  m.def("run_trials", &trials, py::arg("candidates"), py::arg("strands"), py::arg("light"),
-        py::arg("truth"), py::arg("repeats") = 3, py::kw_only(), py::arg("fibre") = Fibre{},
-        py::arg("pivot") = py::none(), py::arg("on_step") = py::none(),
-        "Tries every candidate so many times, in turns; a list of Trial. Ctrl-C stops it between two "
-        "of them. on_step: called after each.");
+  m.def(
+      "run_trials", &trials, py::arg("candidates"), py::arg("strands"), py::arg("light"),
+      py::arg("truth"), py::arg("repeats") = 3, py::kw_only(), py::arg("fibre") = Fibre{},
+      py::arg("pivot") = py::none(), py::arg("on_step") = py::none(),
+      "Tries every candidate so many times, in turns; a list of Trial. Ctrl-C stops it between two "
+      "of them. on_step: called after each.");
   m.def(
       "trial_front", [](const std::vector<ShadowTrial>& list) { return trialFront(list); },
       py::arg("trials"), "Indices of trials that no other beats in both time and error.");
@@ -240,10 +246,9 @@ void bindTrials(py::module_& m) {
 void bindChoice(py::module_& m) {
   py::class_<MachineCosts>(m, "MachineCosts", "How fast this machine is, as calibrate() found it.")
       .def(py::init([](const py::object& nanoseconds, int threads) {
-             const py::array given =
-                 requireArray(nanoseconds, "nanoseconds", py::dtype::of<double>(),
-                              {static_cast<py::ssize_t>(kCostStages),
-                               static_cast<py::ssize_t>(kCostTerms)});
+             const py::array given = requireArray(
+                 nanoseconds, "nanoseconds", py::dtype::of<double>(),
+                 {static_cast<py::ssize_t>(kCostStages), static_cast<py::ssize_t>(kCostTerms)});
              MachineCosts costs;
              const auto rows = spanOf<const CostTerms, double>(given);
              std::copy(rows.begin(), rows.end(), costs.nanoseconds.begin());

@@ -194,6 +194,15 @@ them later, the next call sees. They must not be written while a call works on t
           "point_count", [](const Strands& s) { return s.points.shape(0); }, "N.")
       .def("__len__", &Strands::strandCount, "S.")
       .def("__getitem__", &strandOf, py::arg("strand"), "A view of one strand, (P, 3) float32.")
+      .def(
+          "__iter__",
+          [](const Strands& strands) {
+            py::list views;
+            for (std::size_t s = 0; s < strands.strandCount(); ++s)
+              views.append(strandOf(strands, static_cast<py::ssize_t>(s)));
+            return py::iter(views);
+          },
+          "Views of all strands, one after the other.")
       .def("roots", &rootsOf, "First points, (S, 3) float32; a copy.")
       .def("lengths", &lengthsOf, "Along the polylines, (S,) float32, metres.")
       .def(

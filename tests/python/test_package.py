@@ -62,10 +62,16 @@ class Stubs(unittest.TestCase):
             self.skipTest("no mypy")
         folder = pathlib.Path(_libhair.__file__).parent.parent
         said = subprocess.run(
-            [sys.executable, "-m", "mypy.stubtest", "--ignore-missing-stub", "libhair"],
-            capture_output=True, text=True,
+            [sys.executable, "-m", "mypy.stubtest", "libhair"], capture_output=True, text=True,
             env={**os.environ, "MYPYPATH": str(folder), "PYTHONPATH": str(folder)})
-        self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
+        # Names of types are for stubs alone; pybind11's classes have a metaclass of its own, and a
+        # constructor that refuses where they have none.
+        quiet = ("metaclass differs", '__init__ is inconsistent, stub does not have *args argument "args"')
+        quiet += tuple(f"{n} is not present at runtime" for n in (
+            "_Numbers", "_Place", "Vec3", "IVec3", "Quaternion", *_libhair._choices))
+        errors = [l for l in said.stdout.splitlines() if l.startswith("error")]
+        self.assertEqual([l for l in errors if not l.endswith(quiet)], [], said.stdout[-4000:])
+        self.assertIn("checked 2 modules", said.stdout)
 
     def test_mypy_passes_the_gallery(self):
         if importlib.util.find_spec("mypy") is None:
