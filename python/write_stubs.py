@@ -157,7 +157,8 @@ def package_stub():
     names = sorted(n for n in dir(_libhair) if not n.startswith("_"))
     lines = ['"""Written by write_stubs.py; do not edit."""', "", "from . import _libhair as _libhair"]
     lines += [f"from ._libhair import {n} as {n}" for n in ["__version__"] + names]
-    return "\n".join(lines) + "\n\n__all__: list[str]\n"
+    lines += ["", "__all__ = ["] + [f'    "{n}",' for n in names] + ["]"]
+    return "\n".join(lines) + "\n"
 
 
 def main():

@@ -70,7 +70,7 @@ class Stubs(unittest.TestCase):
         quiet += tuple(f"{n} is not present at runtime" for n in (
             "_Numbers", "_Place", "Vec3", "IVec3", "Quaternion", *_libhair._choices))
         errors = [l for l in said.stdout.splitlines() if l.startswith("error")]
-        self.assertEqual([l for l in errors if not l.endswith(quiet)], [], said.stdout[-4000:])
+        self.assertEqual([l for l in errors if not l.endswith(quiet)], [])
         self.assertIn("checked 2 modules", said.stdout)
 
     def test_mypy_passes_the_gallery(self):
