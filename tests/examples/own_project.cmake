@@ -11,7 +11,7 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE "${WORK}")
-foreach(component library development static hair_mesh)
+foreach(component library development static hair_mesh hair_c)
   run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/prefix" --component ${component})
 endforeach()
 file(COPY "${EXAMPLES}/" DESTINATION "${WORK}/examples")

@@ -229,6 +229,7 @@ std::vector<std::string> optionSeeds() {
            std::string("hair convert a.data b.hair --strands 5 --points 7 --min-length 0.1 --up x"),
            std::string("hair convert a.usda b.####.ply --out-scale 0.01 --out-up z-back --frame 3"),
            std::string("hair simulate --cache a.usda"),
+           std::string("hair lod --sizes 400,50 --importance 0.5 --fade 0.5 --sheet a.png"),
            "hair simulate --frames 3 --out a.hair --save-state a.state" + kSubject + kPerformance +
                kResults,
            std::string("hair simulate --style curly --still --frames=3"),
