@@ -49,7 +49,7 @@ double framesASecond(const HairMesh& mesh, std::uint32_t pointsPerGuide, std::ui
   const GrownHair grown = growHair(mesh, {&group, 1});
   const Groom groom =
       makeGroom(mesh, grown.roots, grown.strands, {.pointsPerGuide = pointsPerGuide});
-  static const MeshSdf head(builtinHead().mesh, 0.004f, 0.03f);
+  static const MeshSdf head(builtinHead().mesh);
   FrameSettings settings;
   settings.shadow = settings.shade = settings.selfCollision = false;
   Hair hair(groom, settings, {}, &head);

@@ -15,7 +15,7 @@
 #include <libhair/wisps/wisps.h>
 
 int main() {
-  const hair::MeshSdf head(hair::builtinHead().mesh, 0.004f, 0.03f);
+  const hair::MeshSdf head(hair::builtinHead().mesh);
   const hair::Groom groom = hair::makeGroom(hair::styleSettings(hair::Style::Smooth), head);
   const hair::GuideStrands guides(groom, {});
   const hair::Wisps wisps(groom, guides);

@@ -16,7 +16,7 @@
 
 int main() {
   // Any strands do. These are the built-in style's at rest: guides, and what follows them.
-  const hair::MeshSdf head(hair::builtinHead().mesh, 0.004f, 0.03f);
+  const hair::MeshSdf head(hair::builtinHead().mesh);
   const hair::Groom groom = hair::makeGroom(hair::styleSettings(hair::Style::Long), head);
   const hair::GuideStrands guides(groom, {});
   const hair::Wisps wisps(groom, guides);

@@ -52,7 +52,7 @@ float tipsTurned(const hair::GuideStrands& guides) {
 }  // namespace
 
 int main() {
-  const hair::MeshSdf head(hair::builtinHead().mesh, 0.004f, 0.03f);
+  const hair::MeshSdf head(hair::builtinHead().mesh);
   const hair::Groom groom = hair::makeGroom(hair::styleSettings(hair::Style::Long), head);
   hair::FrameSettings settings;
   settings.shadow = settings.shade = false;

@@ -57,7 +57,7 @@ std::uint64_t danced(const hair::Groom& groom, const hair::MeshSdf& head) {
 }  // namespace
 
 int main() {
-  const hair::MeshSdf head(hair::builtinHead().mesh, 0.004f, 0.03f);
+  const hair::MeshSdf head(hair::builtinHead().mesh);
   const hair::Groom groom = hair::makeGroom(hair::styleSettings(hair::Style::Smooth), head);
 
   const std::uint64_t expected = danced(groom, head);

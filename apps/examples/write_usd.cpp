@@ -22,7 +22,7 @@ int main(int argc, char** argv) try {
   hair::StyleSettings style = hair::styleSettings(hair::Style::Smooth);
   style.wisps = 100;
   style.strands = 500;
-  const hair::MeshSdf head(hair::builtinHead().mesh, 0.004f, 0.03f);
+  const hair::MeshSdf head(hair::builtinHead().mesh);
   const hair::Groom groom = hair::makeGroom(style, head);
   hair::FrameSettings settings;
   settings.shadow = settings.shade = false;

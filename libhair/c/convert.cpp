@@ -192,7 +192,7 @@ std::shared_ptr<const MeshSdf> headOf(const hair_head* head) {
     const std::uint32_t* corner = head->triangles + 3 * t;
     mesh.triangles.emplace_back(corner[0], corner[1], corner[2]);
   }
-  return sharedSdf(mesh, head->cell != 0 ? head->cell : 0.004f, 0.03f);
+  return head->cell != 0 ? sharedSdf(mesh, head->cell) : sharedSdf(mesh);
 }
 
 void take(const hair_body& body, OwnBody& out) {

@@ -56,7 +56,7 @@ hair_status hair_create_from_style(const hair_style* style, const hair_settings*
                                    const hair_body* body, hair_instance** out) {
   return create(out, [&] {
     const hair::StyleSettings grown = styleOf(style);
-    const auto head = hair::sharedSdf(hair::builtinHead().mesh, 0.004f, 0.03f);
+    const auto head = hair::sharedSdf(hair::builtinHead().mesh);
     return new hair_instance(makeGroom(grown, *head), head, settings, body);
   });
 }

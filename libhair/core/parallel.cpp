@@ -37,7 +37,7 @@ int machineThreads() {
 }
 
 int checkedThreads(int threads) {
-  require(threads >= 0 && threads <= 1024, "--threads: ", threads, " is not in 0 to 1024");
+  require(threads >= 0 && threads <= 1024, "threads: ", threads, " is not in 0 to 1024");
   return threads > 0 ? threads : machineThreads();
 }
 

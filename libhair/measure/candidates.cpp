@@ -202,7 +202,7 @@ void addDeepShadowMaps(float footprint, CandidateSet set, List& list) {
 std::vector<ShadowCandidate> shadowCandidates(StrandView strands, const LightSpace& light,
                                               float footprint, CandidateSet set) {
   require(std::isfinite(footprint) && footprint > 0, "shadow footprint: ", footprint,
-          " m is not positive; set --footprint");
+          " m is not positive");
   const float extent = std::max(extentSeen(strands, light), 1e-3f);
   List list;
   list.add("auto", "auto", automaticMapSettings(strands, light, footprint));

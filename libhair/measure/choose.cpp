@@ -12,10 +12,10 @@ namespace hair {
 namespace {
 
 void checkBudget(const ShadowBudget& budget) {
-  require(budget.maxError > 0, "--max-error: ", budget.maxError, " is not positive");
-  require(budget.milliseconds > 0, "--budget-ms: ", budget.milliseconds, " is not positive");
+  require(budget.maxError > 0, "max error: ", budget.maxError, " is not positive");
+  require(budget.milliseconds > 0, "time budget: ", budget.milliseconds, " ms is not positive");
   require(std::isfinite(budget.maxError) || std::isfinite(budget.milliseconds),
-          "choice of shadows: no limit to choose by; set --max-error or --budget-ms");
+          "choice of shadows: no limit to choose by; set a max error or a time budget");
 }
 
 bool isForItsPaper(const ShadowSettings& settings) {
@@ -46,18 +46,18 @@ std::string describe(const PredictedShadow& shadow) {
 }
 
 [[noreturn]] void failOnTime(const PredictedShadow& fastest, double limit) {
-  throw Error(text("--budget-ms ", limit, ": nothing is that fast here; the nearest is ",
-                   fastest.candidate.label, "; raise --budget-ms to ", fastest.time.milliseconds(),
-                   ", or take fewer strands or points"));
+  throw Error(text("time budget ", limit, " ms: nothing is that fast here; the nearest is ",
+                   fastest.candidate.label, "; raise the time budget to ",
+                   fastest.time.milliseconds(), " ms, or take fewer strands or points"));
 }
 
 [[noreturn]] void failOnError(const PredictedShadow& nearest, const ShadowBudget& budget) {
   const bool timed = std::isfinite(budget.milliseconds);
-  throw Error(text("--max-error ", budget.maxError, ": nothing ",
+  throw Error(text("max error ", budget.maxError, ": nothing ",
                    timed ? text("within ", budget.milliseconds, " ms ") : std::string(),
                    "is that accurate here; the nearest is ", describe(nearest),
-                   "; raise --max-error to ", nearest.cautiousError(),
-                   timed ? ", or raise --budget-ms" : ", or average over a larger --footprint"));
+                   "; raise the max error to ", nearest.cautiousError(),
+                   timed ? ", or raise the time budget" : ", or average over a larger footprint"));
 }
 
 bool faster(const PredictedShadow& a, const PredictedShadow& b) {

@@ -14,7 +14,7 @@ ErrorPilot::ErrorPilot(StrandView strands, const Fibre& fibre, const LightSpace&
                        float footprint, const PilotSettings& settings)
     : strands_(strands), fibre_(fibre), light_(light) {
   require(footprint > 0 && std::isfinite(footprint), "shadow footprint: ", footprint,
-          " m is not positive; set --footprint");
+          " m is not positive");
   require(settings.points >= 8, "error pilot: ", settings.points, " points; take 8 or more");
   require(settings.leastRays >= 8 && settings.leastRays <= settings.mostRays,
           "error pilot: ", settings.leastRays, " to ", settings.mostRays,

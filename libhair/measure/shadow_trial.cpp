@@ -67,7 +67,7 @@ void checkScene(const TrialScene& scene) {
 std::vector<ShadowTrial> runTrials(std::span<const ShadowCandidate> candidates,
                                    const TrialScene& scene, int repeats,
                                    const std::function<void()>& done) {
-  require(repeats >= 1, "shadow trial: ", repeats, " repeats; set --repeats to 1 or more");
+  require(repeats >= 1, "shadow trial: ", repeats, " repeats; set 1 or more");
   checkScene(scene);
   std::vector<ShadowTrial> trials(candidates.size());
   for (std::size_t c = 0; c < candidates.size(); ++c) trials[c].candidate = candidates[c];

@@ -83,7 +83,7 @@ RigidTransform placeHead(const TriangleMesh& mesh, std::span<const glm::vec3> ha
 
 HeadFit fitHeadToRoots(std::span<const glm::vec3> hairRoots) {
   require(hairRoots.size() >= kFewestRoots, "head: ", hairRoots.size(),
-          " hair roots are too few to fit a head to; bring a head (--head)");
+          " hair roots are too few to fit a head to; bring a head");
   HeadFit fit;
   fit.head = builtinHead();
   const MeshSdf sdf(fit.head.mesh, 0.005f, 0.05f);
@@ -157,7 +157,7 @@ HeadFit fitHeadToRoots(std::span<const glm::vec3> hairRoots) {
   fit.residual = static_cast<float>(sum / static_cast<double>(hairRoots.size())) *
                  (bigger.x + bigger.y + bigger.z) / 3;
   require(fit.residual < 0.03f, "head: hair roots are ", 1e3f * fit.residual,
-          " mm from any head on average; check the unit (--scale) and the axes (--up)");
+          " mm from any head on average; check the unit and the axes (scale, up)");
   return fit;
 }
 

@@ -17,10 +17,10 @@ namespace HAIR_API hair {
 /// where the surface is smooth; far away within about a cell.
 class MeshSdf {
  public:
-  /// `cell` and `margin` (how far the grid reaches beyond the mesh) in metres, > 0.
-  /// Throws Error for an empty mesh, one that is not finite or has triangles without vertices, or
-  /// if the grid would have more than 2^27 nodes.
-  MeshSdf(const TriangleMesh& mesh, float cell, float margin);
+  /// `cell` and `margin` (how far the grid reaches beyond the mesh) in metres, > 0. The defaults
+  /// are for a head. Throws Error for an empty mesh, one that is not finite or has triangles
+  /// without vertices, or if the grid would have more than 2^27 nodes.
+  explicit MeshSdf(const TriangleMesh& mesh, float cell = 4e-3f, float margin = 0.03f);
 
   /// Metres. Outside the grid: a lower bound of the distance, never less than `margin`.
   float distance(glm::vec3 p) const;

@@ -12,6 +12,7 @@ namespace HAIR_API hair {
 /// seconds to build and tens of megabytes; it goes with the last who holds it. Any thread may ask
 /// at any time; two that ask at once for what there is not yet may both build it, and get one.
 /// Throws Error as MeshSdf does.
-std::shared_ptr<const MeshSdf> sharedSdf(const TriangleMesh& mesh, float cell, float margin);
+std::shared_ptr<const MeshSdf> sharedSdf(const TriangleMesh& mesh, float cell = 4e-3f,
+                                         float margin = 0.03f);
 
 }  // namespace hair

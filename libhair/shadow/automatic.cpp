@@ -23,7 +23,7 @@ float extentSeen(StrandView strands, const LightSpace& light) {
 DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& light,
                                         float footprint) {
   require(footprint > 0 && std::isfinite(footprint), "shadow footprint: ", footprint,
-          " m is not positive; set --footprint");
+          " m is not positive");
   const float extent = std::max(extentSeen(strands, light), footprint);
   DensityMapSettings settings;
   settings.filter = Filter::Footprint;

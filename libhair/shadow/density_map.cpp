@@ -10,7 +10,7 @@ namespace hair {
 namespace {
 
 void validate(const DensityMapSettings& s) {
-  require(s.cells >= 2 && s.cells <= 1024, "--cells: ", s.cells, " is not in 2 to 1024");
+  require(s.cells >= 2 && s.cells <= 1024, "cells: ", s.cells, " is not in 2 to 1024");
   require(s.cellSize >= 1e-6f && s.cellSize <= 1e6f, "density map: cell size ", s.cellSize,
           " m is not in 1e-6 to 1e6");
   require(s.filter != Filter::Footprint || (s.footprint >= 0 && s.footprint <= 10 * s.cellSize),

@@ -46,7 +46,7 @@ inline LightSpace lightSpaceOf(const Light& light, glm::vec3 pivot) {
   require(glm::dot(light.colour, light.colour) < 1e30f &&
               glm::all(glm::greaterThanEqual(light.colour, glm::vec3(0))),
           "light colour: (", light.colour.x, ", ", light.colour.y, ", ", light.colour.z,
-          ") is negative, too bright or no number; set --light or --point");
+          ") is negative, too bright or no number");
   return light.kind == Light::Kind::Parallel ? makeLightSpace(light.direction)
                                              : makePointLightSpace(light.position, pivot);
 }

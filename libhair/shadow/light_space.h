@@ -46,7 +46,7 @@ struct LightSpace {
 inline LightSpace makeLightSpace(glm::vec3 direction, glm::dvec3 origin = glm::dvec3(0)) {
   const float length = glm::length(direction);
   require(std::isfinite(length) && length > 0, "light direction: (", direction.x, ", ", direction.y,
-          ", ", direction.z, ") is zero or not finite; set --light");
+          ", ", direction.z, ") is zero or not finite");
   const glm::vec3 x = direction / length;
   const glm::vec3 y = anyNormal(x);
   return {glm::transpose(glm::mat3(x, y, glm::cross(x, y))), origin};
@@ -60,7 +60,7 @@ inline LightSpace makePointLightSpace(glm::vec3 position, glm::vec3 pivot,
   const float distance = glm::length(way);
   require(std::isfinite(distance) && distance > 1e-6f && distance < 1e15f, "point light: at (",
           position.x, ", ", position.y, ", ", position.z, ") it is ", distance,
-          " m from the hair's middle; move it (--point)");
+          " m from the hair's middle; move it");
   LightSpace light = makeLightSpace(way, origin);
   light.pivot = pivot;
   light.curvature = 1.0f / distance;

@@ -81,7 +81,7 @@ float longestGuide(const Groom& groom) {
 GroomPtr grow(const StyleSettings& settings, const Field& head) {
   return withoutLock([&] {
     // As the library's programs have it: cells of 4 mm.
-    const Field field = head ? head : std::make_shared<MeshSdf>(builtinHead().mesh, 0.004f, 0.03f);
+    const Field field = head ? head : std::make_shared<MeshSdf>(builtinHead().mesh);
     return std::make_shared<Groom>(makeGroom(settings, *field));
   });
 }

@@ -45,7 +45,7 @@ TEST(ConceptPages, AFrameMovesShadowsAndShadesHair) {
     EXPECT_EQ(strands.pointCount(), colours.size());
   };
 
-  const hair::MeshSdf head(hair::builtinHead().mesh, 0.004f, 0.03f);
+  const hair::MeshSdf head(hair::builtinHead().mesh);
   const hair::Groom groom = hair::makeGroom(hair::styleSettings(hair::Style::Smooth), head);
   const hair::Motion motion = hair::Motion::dance();
   hair::BodyPose pose = motion.pose(0);

@@ -16,7 +16,7 @@ namespace hair::test {
 
 /// Of the built-in head, made once a program.
 inline const MeshSdf& headCollider() {
-  static const MeshSdf collider(builtinHead().mesh, 0.004f, 0.03f);
+  static const MeshSdf collider(builtinHead().mesh);
   return collider;
 }
 

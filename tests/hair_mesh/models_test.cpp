@@ -68,7 +68,7 @@ TEST_P(Models, HaveHairOfSensibleLength) {
 
 TEST_P(Models, StandStillWhereTheyWereModelled) {
   const Groom groom = makeGroom(style.mesh, hair.roots, hair.strands, {.tied = style.tied});
-  const auto head = sharedSdf(builtinHead().mesh, 0.004f, 0.03f);
+  const auto head = sharedSdf(builtinHead().mesh);
   FrameSettings settings;
   settings.shadow = settings.shade = false;
   Hair moving(groom, settings, {}, head.get());

@@ -286,23 +286,23 @@ TEST_F(Choice, HasTheSameBitsInEveryRunAndForAnyThreads) {
 
 TEST_F(Choice, WhatIsImpossibleSaysWhatIsNearest) {
   const std::string error = failure({.maxError = 1e-6}), time = failure({.milliseconds = 1e-6});
-  EXPECT_NE(error.find("raise --max-error to "), std::string::npos) << error;
-  EXPECT_NE(time.find("raise --budget-ms to "), std::string::npos) << time;
+  EXPECT_NE(error.find("raise the max error to "), std::string::npos) << error;
+  EXPECT_NE(time.find("raise the time budget to "), std::string::npos) << time;
   // And that is possible: the limit that the message names, rounded up in its last digit.
   const auto named = [](const std::string& message, const std::string& knob) {
     return 1.00001 * std::stod(message.substr(message.find("raise " + knob) + 6 + knob.size() + 4));
   };
-  EXPECT_NO_THROW(choose({.maxError = named(error, "--max-error")}));
-  EXPECT_NO_THROW(choose({.milliseconds = named(time, "--budget-ms")}));
+  EXPECT_NO_THROW(choose({.maxError = named(error, "the max error")}));
+  EXPECT_NO_THROW(choose({.milliseconds = named(time, "the time budget")}));
   // Both limits, each possible alone.
-  const double fastest = named(time, "--budget-ms"), nearest = named(error, "--max-error");
+  const double fastest = named(time, "the time budget"), nearest = named(error, "the max error");
   EXPECT_NE(failure({.maxError = nearest, .milliseconds = fastest}), "");
 }
 
 TEST_F(Choice, LimitsThatAreNoneAreErrors) {
   for (const double bad : {0.0, -1.0, -double{INFINITY}, double{NAN}}) {
-    EXPECT_NE(failure({.maxError = bad}).find("--max-error"), std::string::npos) << bad;
-    EXPECT_NE(failure({.milliseconds = bad}).find("--budget-ms"), std::string::npos) << bad;
+    EXPECT_NE(failure({.maxError = bad}).find("max error"), std::string::npos) << bad;
+    EXPECT_NE(failure({.milliseconds = bad}).find("time budget"), std::string::npos) << bad;
   }
   EXPECT_NE(failure({}).find("no limit"), std::string::npos);
   EXPECT_THROW(chooseAmong({}, {.maxError = 1}), Error);

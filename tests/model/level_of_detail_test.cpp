@@ -17,7 +17,7 @@ namespace {
 
 const Groom& curls() {
   static const Groom groom = [] {
-    const MeshSdf head(builtinHead().mesh, 0.004f, 0.03f);
+    const MeshSdf head(builtinHead().mesh);
     StyleSettings style = styleSettings(Style::Curly);
     style.strands = 2000;
     return makeGroom(style, head);

@@ -333,7 +333,7 @@ TEST(Settings, OutOfRangeThrowAndNameTheKnob) {
     clear(map, settings, alongX());
     FAIL();
   } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("--cells"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("cells"), std::string::npos);
   }
   EXPECT_THROW(makeLightSpace(glm::vec3(0)), Error);
   DensityMap unready;
