@@ -97,6 +97,22 @@ class Grow(unittest.TestCase, Refusals):
         select_all(layers)
         self.assert_refused("layer_0, layer_1, layer_2, layer_3", bpy.ops.libhair.grow)
 
+    def test_particle_hair_becomes_curves_with_its_roots_on_the_skin(self):
+        bpy.ops.mesh.primitive_uv_sphere_add(radius=0.1, segments=64, ring_count=32)
+        skin = bpy.context.object
+        modifier = skin.modifiers.new("hair", "PARTICLE_SYSTEM")
+        particles = skin.particle_systems[0].settings
+        particles.type, particles.count, particles.hair_length = "HAIR", 80, 0.3
+        bpy.context.view_layer.update()
+        bpy.ops.object.modifier_convert(modifier=modifier.name)
+        edges = bpy.context.object
+        self.assertEqual(bpy.ops.libhair.to_curves(), {"FINISHED"})
+        hair = bpy.context.object
+        self.assertEqual((hair.type, len(hair.data.curves), edges.hide_render), ("CURVES", 80, True))
+        away = numpy.linalg.norm(world_points(hair).reshape(80, -1, 3), axis=2)
+        self.assertLess(numpy.abs(away[:, 0] - 0.1).max(), 1e-3)
+        self.assertGreater(away[:, -1].min(), 0.15)
+
     def test_grown_hair_can_be_moved_at_once(self):
         with folder() as where:
             self.scene.frame_end = 3
