@@ -213,6 +213,17 @@ class Runs(unittest.TestCase):
         self.assertGreater(inside[0], 5e-3, "without it hair is inside")
         self.assertLess(inside[1], 1e-3)
 
+    def test_wind_does_not_blow_hair_into_the_head(self):
+        self.hair.libhair.wind = (0, 8, 0)
+        inside = []
+        for self.hair.libhair.collide_head in (False, True):
+            self.simulate()
+            self.scene.frame_set(12)
+            away = numpy.linalg.norm(world_points(self.hair) - CENTRE, axis=1).reshape(-1, 12)
+            inside.append(RADIUS - away[:, 1:].min())
+        self.assertGreater(inside[0], 5e-3, "without it hair is inside")
+        self.assertLess(inside[1], 1e-3)
+
     def test_bones_carry_hair_and_keep_it_out(self):
         data = bpy.data.armatures.new("rig")
         rig = bpy.data.objects.new("rig", data)

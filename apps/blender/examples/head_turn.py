@@ -22,7 +22,7 @@ from libhair_blender import axes, curves  # noqa: E402
 
 OUT = sys.argv[sys.argv.index("--") + 1]
 FRAMES = (12, 20, 28)  # before the turn, in it, and after it
-SIZE = (280, 340)  # pixels of each
+SIZE = (220, 272)  # pixels of each
 
 
 def mesh_object(name, mesh, material):
@@ -86,7 +86,7 @@ def build():
         shadowed(
             "hair",
             "ShaderNodeBsdfHairPrincipled",
-            {"Melanin": 0.32, "Melanin Redness": 0.7, "Roughness": 0.35, "Random Color": 0.3},
+            {"Color": (0.14, 0.04, 0.012, 1), "Roughness": 0.45},
         )
     )
     hair.visible_shadow = False
@@ -128,7 +128,7 @@ def move_and_shadow(scene, hair, folder):
 def render(scene, folder):
     """[H, W, 4] of the three frames side by side."""
     scene.render.engine = "CYCLES"
-    scene.cycles.device, scene.cycles.samples, scene.cycles.seed = "CPU", 64, 1
+    scene.cycles.device, scene.cycles.samples, scene.cycles.seed = "CPU", 144, 1
     scene.cycles.use_denoising = False
     scene.render.resolution_x, scene.render.resolution_y = SIZE
     scene.render.resolution_percentage = 100
@@ -146,7 +146,7 @@ def render(scene, folder):
 
 
 def save(pixels, path):
-    image = bpy.data.images.new("frames", pixels.shape[1], pixels.shape[0])
+    image = bpy.data.images.new("frames", pixels.shape[1], pixels.shape[0], alpha=False)
     image.pixels.foreach_set(numpy.ascontiguousarray(pixels).reshape(-1))
     image.file_format = "PNG"
     image.filepath_raw = path
