@@ -33,6 +33,7 @@ struct LevelOfDetail {
   /// moment of its own in [0, 1), so that what all strands have together changes smoothly.
   std::uint32_t segmentsOf(std::uint32_t segments, float moment) const;
 
+  /// In every field.
   bool operator==(const LevelOfDetail&) const = default;
 };
 
@@ -52,6 +53,7 @@ struct GroomDetail {
   std::vector<float> length;  ///< [strandCount], at rest, metres
   float fibreWidth = 0;       ///< of the groom, metres
 
+  /// Of the groom.
   std::size_t strandCount() const { return rank.size(); }
   /// How far strands are, root of the mean square, from those of a share `points` of their
   /// segments, metres; 0 for all of them, and growing as the share falls.

@@ -23,7 +23,7 @@ struct WispSettings {
 
 /// What of a groom is drawn (setLevel).
 struct DrawnPart {
-  LevelOfDetail level;
+  LevelOfDetail level;               ///< as given
   std::vector<std::uint32_t> first;  ///< [strandCount + 1]; empty: all, as the groom has them
   std::vector<float> weights;  ///< [strandCount], widths as shares of the others', or empty: all 1
   float wider = 1;             ///< so much wider are strands than those of the groom

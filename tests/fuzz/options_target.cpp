@@ -192,6 +192,21 @@ void runMeasureMotion(const MeasureMotionOptions& options) {
     promise(n >= 1 && n <= 1'000'000, "--guide-counts");
 }
 
+void runLod(const LodOptions& options) {
+  promiseSubject(options.subject);
+  promisePerformance(options.performance);
+  promiseThreads(options.threads);
+  promise(!options.sizes.empty(), "--sizes");
+  for (const float pixels : options.sizes) promiseWithin(pixels, 4.0f, 2000.0f, "--sizes");
+  promiseWithin(options.importance, 0.9e-3f, 1.0f, "--importance");
+  promiseWithin(options.detail.strandsPerPixel, 0.9e-3f, 1.1e6f, "--strands-per-pixel");
+  promiseWithin(options.detail.pixelsOff, 0.9e-6f, 1.1e3f, "--pixels-off");
+  promiseWithin(options.detail.pixelsPerCell, 0.0f, 1.1e3f, "--pixels-per-cell");
+  promiseWithin(options.detail.fade, 0.9e-3f, 1.0f, "--fade");
+  promiseWithin(options.frames, 1, 1'000'000, "--frames");
+  promise(options.sheet.empty() || options.sheet.string().ends_with(".png"), "--sheet");
+}
+
 void runPlan(const PlanOptions& options) {
   promiseSubject(options.subject);
   promisePerformance(options.performance);
