@@ -208,8 +208,11 @@ typedef struct hair_view {
   const uint32_t* first;      /* [strand_count + 1], as in hair_strands */
   const float* transmittance; /* [light_count * point_count], what of each light gets to each point;
                                  null while shadows are off */
-  const uint8_t* colours;     /* [4 * point_count] sRGB: R, G, B, 255; null while shading is off */
+  const uint8_t* colours;     /* [4 * point_count] sRGB and opacity: R, G, B, A; A is 255 but for
+                                 strands on their way out; null while shading is off */
   double time;                /* simulated seconds */
+  uint32_t drawn_count;       /* strands that have points: all, but for hair_set_detail */
+  float wider;                /* so much wider are strands to be drawn than all of them would be */
 } hair_view;
 
 /* A density map, for shadows on strands of one's own. */
@@ -267,13 +270,24 @@ HAIR_C_EXPORT hair_status hair_set_lights(hair_instance* hair, const hair_light*
 /* Moves the hair by `seconds`, 1e-6 to 1, to where the body is then (null: where it was), shadows
    and shades it. */
 HAIR_C_EXPORT hair_status hair_step(hair_instance* hair, const hair_body* body, float seconds);
-/* Shadows and shades the hair as it stands. */
+/* Shadows and shades the hair as it stands, with the detail that it was set. */
 HAIR_C_EXPORT hair_status hair_relight(hair_instance* hair);
 /* Back to rest on the body (null: where it was), then `settle` seconds (0 to 3600) to find its way
    out of it. */
 HAIR_C_EXPORT hair_status hair_restart(hair_instance* hair, const hair_body* body, float settle);
 /* To another place with its head: the hair does not see the jump. */
 HAIR_C_EXPORT hair_status hair_teleport(hair_instance* hair, const hair_transform* world_from_head);
+
+/* How high a head is in a picture, from chin to crown, in pixels: the picture is `picture_height`
+   pixels high and sees the angle `field_of_view` (radians, bottom to top) from `distance` metres.
+ */
+HAIR_C_EXPORT hair_status hair_head_pixels(float distance, float field_of_view,
+                                           float picture_height, float* pixels);
+/* From the next step, restart or hair_relight on, as much of the hair is drawn as a head needs that
+   is `pixels` high; 0: all of it, as at first. A head of `importance` 0.5, of (0, 1], is drawn as
+   one half as large. Any frame may have another: guides do not feel it. Strands keep their numbers,
+   and one that is not drawn has no points; draw the others hair_view.wider times as wide. */
+HAIR_C_EXPORT hair_status hair_set_detail(hair_instance* hair, float pixels, float importance);
 
 /* Set view->size = sizeof *view before. */
 HAIR_C_EXPORT hair_status hair_read(const hair_instance* hair, hair_view* view);
@@ -286,7 +300,7 @@ HAIR_C_EXPORT hair_status hair_state_hash(const hair_instance* hair, uint64_t* h
 HAIR_C_EXPORT hair_status hair_save(const hair_instance* hair, void* bytes, size_t capacity,
                                     size_t* size);
 /* Goes on from a state of the same hairstyle and rest shape, with the bits of the run that was
-   saved; shadows and shades it. */
+   saved; shadows and shades it. As much of the hair must be drawn as was (hair_set_detail). */
 HAIR_C_EXPORT hair_status hair_restore(hair_instance* hair, const void* bytes, size_t size);
 
 /* ---- Shadows on strands of one's own, without simulation ---- */

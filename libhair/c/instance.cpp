@@ -103,8 +103,27 @@ hair_status hair_step(hair_instance* hair, const hair_body* body, float seconds)
 
 hair_status hair_relight(hair_instance* hair) {
   return computed([&] {
+    hair::Hair& h = given(hair, "hair_instance").hair;
+    if (h.level != h.wisps.drawn.level) redraw(h);
+    light(hair->settings, h, hair->profile);
+  });
+}
+
+hair_status hair_head_pixels(float distance, float field_of_view, float picture_height,
+                             float* pixels) {
+  return guarded([&] {
+    given(pixels, "pixels");
+    *pixels = hair::headPixels(distance, field_of_view, picture_height);
+  });
+}
+
+hair_status hair_set_detail(hair_instance* hair, float pixels, float importance) {
+  return computed([&] {
     given(hair, "hair_instance");
-    light(hair->settings, hair->hair, hair->profile);
+    if (!hair->detail) hair->detail.emplace(hair->groom);
+    hair->hair.detail = &*hair->detail;
+    hair->hair.level =
+        pixels == 0 ? hair::LevelOfDetail{} : levelFor(*hair->detail, pixels, importance);
   });
 }
 

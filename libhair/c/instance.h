@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <libhair/c/convert.h>
 
@@ -15,6 +16,7 @@ struct hair_instance {
   hair::c::OwnBody body;  ///< as the last call gave it
   hair::Hair hair;
   hair::FrameProfile profile{};
+  std::optional<hair::GroomDetail> detail;  ///< made when a level is first asked for
 };
 
 namespace hair::c {

@@ -62,7 +62,11 @@ hair_status hair_read(const hair_instance* hair, hair_view* view) {
     v.strand_count = static_cast<uint32_t>(h.groom->strandCount());
     v.point_count = static_cast<uint32_t>(h.wisps.points.size());
     v.points = &h.wisps.points.data()->x;
-    v.first = h.groom->first.data();
+    const hair::StrandView strands = h.strands();
+    v.first = strands.first.data();
+    for (std::size_t s = 0; s < strands.strandCount(); ++s)
+      v.drawn_count += strands.first[s + 1] > strands.first[s];
+    v.wider = h.wisps.drawn.wider;
     v.transmittance = h.transmittance.empty() ? nullptr : h.transmittance.data();
     v.colours = h.colours.empty() ? nullptr : reinterpret_cast<const uint8_t*>(h.colours.data());
     v.time = h.time;

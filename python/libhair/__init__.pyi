@@ -10,6 +10,7 @@ from ._libhair import DeepShadowMapSettings as DeepShadowMapSettings
 from ._libhair import DensityClusteringSettings as DensityClusteringSettings
 from ._libhair import DensityMap as DensityMap
 from ._libhair import DensityMapSettings as DensityMapSettings
+from ._libhair import DetailSettings as DetailSettings
 from ._libhair import DistanceField as DistanceField
 from ._libhair import Error as Error
 from ._libhair import ErrorFigures as ErrorFigures
@@ -17,9 +18,11 @@ from ._libhair import Fibre as Fibre
 from ._libhair import Figure as Figure
 from ._libhair import FrameSettings as FrameSettings
 from ._libhair import Groom as Groom
+from ._libhair import GroomDetail as GroomDetail
 from ._libhair import GuideSettings as GuideSettings
 from ._libhair import HeadFit as HeadFit
 from ._libhair import KajiyaKaySettings as KajiyaKaySettings
+from ._libhair import LevelOfDetail as LevelOfDetail
 from ._libhair import Light as Light
 from ._libhair import MachineCosts as MachineCosts
 from ._libhair import Mesh as Mesh
@@ -51,8 +54,11 @@ from ._libhair import choose_shadow as choose_shadow
 from ._libhair import error_figures as error_figures
 from ._libhair import fit_head as fit_head
 from ._libhair import fit_map as fit_map
+from ._libhair import groom_at as groom_at
 from ._libhair import hair_mesh_groom as hair_mesh_groom
 from ._libhair import has_hair_mesh as has_hair_mesh
+from ._libhair import head_pixels as head_pixels
+from ._libhair import level_for as level_for
 from ._libhair import make_groom as make_groom
 from ._libhair import place_head as place_head
 from ._libhair import read_obj as read_obj
@@ -76,6 +82,7 @@ __all__ = [
     "DensityClusteringSettings",
     "DensityMap",
     "DensityMapSettings",
+    "DetailSettings",
     "DistanceField",
     "Error",
     "ErrorFigures",
@@ -83,9 +90,11 @@ __all__ = [
     "Figure",
     "FrameSettings",
     "Groom",
+    "GroomDetail",
     "GuideSettings",
     "HeadFit",
     "KajiyaKaySettings",
+    "LevelOfDetail",
     "Light",
     "MachineCosts",
     "Mesh",
@@ -117,8 +126,11 @@ __all__ = [
     "error_figures",
     "fit_head",
     "fit_map",
+    "groom_at",
     "hair_mesh_groom",
     "has_hair_mesh",
+    "head_pixels",
+    "level_for",
     "make_groom",
     "place_head",
     "read_obj",

@@ -66,7 +66,7 @@ matrix. capsules: (C, 7), each a, b and radius, metres; planes: (P, 6), each a p
 normal to the free side; meshes: MeshCollider objects.
 
 points, transmittance and colours are views that follow every step. restart, change_groom,
-restore_state, and settings that change how many there are, may give them other memory: older views
+restore_state, another level, and settings that change how many there are, may give them other memory: older views
 then go on showing what they last did. A second thread that works on the simulation meanwhile gets
 RuntimeError.)");
   c.def(py::init([](const GroomPtr& groom, const FrameSettings& settings, const Field& head,
@@ -110,7 +110,15 @@ seconds, None: the simulation's own time. on_frame: called with i after each fra
       },
       py::arg("settle") = 1.0, py::kw_only(), HAIR_BODY_ARGS,
       "Back to rest on the body, then so many seconds of settling while colliders grow; lit.");
-  c.def("light", &S::light, "Shadows and shades the hair as it stands.");
+  c.def("light", &S::light, "Shadows and shades the hair as it stands, at its level.");
+  c.def_property("detail", &S::detail, &S::setDetail,
+                 "GroomDetail of the groom, or None until a level needs one.");
+  c.def_property(
+      "level", [](const S& s) { return s.hair().level; }, &S::setLevel,
+      "LevelOfDetail that the next step or light() draws; a copy. Guides do not feel it.");
+  c.def_property_readonly(
+      "wider", [](const S& s) { return s.hair().wisps.drawn.wider; },
+      "So much wider are strands to be drawn than all of them would be; 1 where all are.");
   c.def("teleport", &S::teleport, py::arg("world_from_head"),
         "To another place with its head: hair keeps its shape and does not see the jump.");
   c.def("move_origin", &S::moveOrigin, py::arg("origin"),
@@ -130,15 +138,19 @@ seconds, None: the simulation's own time. on_frame: called with i after each fra
         "Goes on from saved bytes, bit for bit; Error where they are of another groom or damaged.");
   c.def_property_readonly("points", &S::points,
                           "Drawn points now, (N, 3) float32, metres; a read-only view.");
-  c.def_property_readonly("first", &S::first,
-                          "Offsets of drawn strands, (S + 1,) uint32; a read-only view.");
+  c.def_property_readonly(
+      "first", &S::first,
+      "Offsets of drawn strands, (S + 1,) uint32, of which those that a level leaves out "
+      "have no points; a read-only view.");
   c.def_property_readonly(
       "strands", [](S& s) { return Strands(s.points(), s.first()); },
       "Drawn hair as Strands over the same views.");
   c.def_property_readonly("transmittance", &S::transmittance,
                           "(lights, N) float32, [0, 1], of the last frame; a read-only view.");
-  c.def_property_readonly("colours", &S::colours,
-                          "(N, 4) uint8 sRGB and 255, of the last frame; a read-only view.");
+  c.def_property_readonly(
+      "colours", &S::colours,
+      "(N, 4) uint8 sRGB and opacity, of the last frame, 255 but for strands on their way "
+      "out at a level; a read-only view.");
   c.def_property("visibility", &S::visibility, &S::setVisibility,
                  "What head and body leave of each light, (lights, N) float32, copied; or None.");
   c.def("guide_points", &S::guidePoints, "Guides now, (G, P, 3) float32, metres; a copy.");

@@ -35,6 +35,7 @@ PYBIND11_MODULE(_libhair, m) {
   bindStrands(m);
   bindSettings(m);
   bindGrooms(m);
+  bindLevels(m);
   bindMotion(m);
   bindSimulation(m);
   bindShadows(m);

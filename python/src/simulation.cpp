@@ -58,8 +58,15 @@ Simulation::Simulation(GroomPtr groom, const FrameSettings& settings_, Field hea
 }
 
 // Arrays that Python has of memory that the next call lets go.
-void Simulation::becoming(bool otherPoints) {
-  if (otherPoints) points_.letGo(hair_->wisps.points);
+void Simulation::lettingGo() {
+  points_.letGo(hair_->wisps.points);
+  first_.letGo(hair_->wisps.drawn.first);
+  transmittance_.letGo(hair_->transmittance);
+  colours_.letGo(hair_->colours);
+}
+
+void Simulation::becoming() {
+  if (hair_->level != hair_->wisps.drawn.level) return lettingGo();
   const std::size_t points = hair_->wisps.points.size();
   const std::size_t lights = settings.shadow ? settings.lights.size() : 0;
   transmittance_.resizing(hair_->transmittance, lights * points);
@@ -67,7 +74,7 @@ void Simulation::becoming(bool otherPoints) {
 }
 
 void Simulation::frameTo(Body next, double seconds) {
-  becoming(false);
+  becoming();
   // Another thread may change the settings meanwhile.
   const FrameSettings taken = settings;
   FrameProfile profile{};
@@ -108,6 +115,7 @@ void Simulation::restart(double settle, const BodyChange& change) {
   Body next = changed(body_, change);
   const FrameSettings taken = settings;
   // Settling makes neither shadows nor colours; light() makes them again.
+  if (hair_->level != hair_->wisps.drawn.level) lettingGo();
   transmittance_.letGo(hair_->transmittance);
   colours_.letGo(hair_->colours);
   FrameProfile unused{};
@@ -121,10 +129,13 @@ void Simulation::restart(double settle, const BodyChange& change) {
 
 void Simulation::light() {
   const Busy busy(busy_, "simulation");
-  becoming(false);
+  becoming();
   const FrameSettings taken = settings;
   FrameProfile profile{};
-  withoutLock([&] { hair::light(taken, *hair_, profile); });
+  withoutLock([&] {
+    if (hair_->level != hair_->wisps.drawn.level) redraw(*hair_);
+    hair::light(taken, *hair_, profile);
+  });
   profile_ = profile;
 }
 
@@ -155,13 +166,29 @@ void Simulation::changeColliders(const BodyChange& change) {
 
 bool Simulation::changeGroom(GroomPtr groom) {
   const Busy busy(busy_, "simulation");
-  points_.letGo(hair_->wisps.points);
-  transmittance_.letGo(hair_->transmittance);
-  colours_.letGo(hair_->colours);
+  lettingGo();
   const FrameSettings taken = settings;
   const bool goesOn = withoutLock([&] { return hair::changeGroom(*groom, taken, *hair_); });
   groom_ = std::move(groom);
+  detail_.reset();
   return goesOn;
+}
+
+void Simulation::setDetail(DetailPtr detail) {
+  const Busy busy(busy_, "simulation");
+  require(!detail || detail->strandCount() == groom_->strandCount(), "detail: of a groom of ",
+          detail ? detail->strandCount() : 0, " strands, but this one has ", groom_->strandCount());
+  require(detail || hair_->level == LevelOfDetail{}, "detail: None, but level needs one");
+  detail_ = std::move(detail);
+  hair_->detail = detail_.get();
+}
+
+void Simulation::setLevel(const LevelOfDetail& level) {
+  const Busy busy(busy_, "simulation");
+  validate(level);
+  if (!detail_) detail_ = withoutLock([&] { return std::make_shared<GroomDetail>(*groom_); });
+  hair_->detail = detail_.get();
+  hair_->level = level;
 }
 
 py::bytes Simulation::saveState() {
@@ -189,6 +216,9 @@ py::array Simulation::points() {
 }
 
 py::array Simulation::first() {
+  const auto& drawn = hair_->wisps.drawn.first;
+  if (!drawn.empty())
+    return first_.view<std::uint32_t>(hair_, drawn, {static_cast<py::ssize_t>(drawn.size())});
   const auto& first = groom_->first;
   return arrayOver(first.data(), {static_cast<py::ssize_t>(first.size())}, capsuleOf(groom_));
 }

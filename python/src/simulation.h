@@ -7,6 +7,7 @@
 #include <libhair/frame.h>
 
 #include "groom.h"
+#include "level_of_detail.h"
 #include "motion.h"
 #include "shared_vector.h"
 
@@ -46,6 +47,10 @@ class Simulation {
   py::bytes saveState();
   void restoreState(const py::bytes& state);
 
+  void setDetail(DetailPtr detail);
+  /// Of the frames to come. Measures the groom where no detail was given.
+  void setLevel(const LevelOfDetail& level);
+
   py::array points();
   py::array first();
   py::array transmittance();
@@ -58,6 +63,7 @@ class Simulation {
   std::string stateHash() const;
 
   const Hair& hair() const { return *hair_; }
+  const DetailPtr& detail() const { return detail_; }
   const RigidTransform& worldFromHead() const { return body_.worldFromHead; }
 
   FrameSettings settings;
@@ -74,9 +80,11 @@ class Simulation {
   };
   static Body changed(Body body, const BodyChange& change);
   void frameTo(Body next, double seconds);
-  void becoming(bool otherPoints);
+  void becoming();
+  void lettingGo();
 
   GroomPtr groom_;
+  DetailPtr detail_;
   Field head_;
   Body body_;
   std::vector<Field> fieldsGiven_;  // by the last call: hair_ may point at them where it threw
@@ -85,7 +93,7 @@ class Simulation {
   bool busy_ = false;
   SharedVector<glm::vec3> points_;
   SharedVector<float> transmittance_;
-  SharedVector<std::uint32_t> colours_;
+  SharedVector<std::uint32_t> first_, colours_;
 };
 
 }  // namespace hair::python

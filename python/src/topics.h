@@ -9,6 +9,7 @@ void bindGeometry(pybind11::module_& m);    ///< Transform, Mesh, DistanceField
 void bindStrands(pybind11::module_& m);     ///< Strands, files
 void bindSettings(pybind11::module_& m);    ///< what frames and shadows are told
 void bindGrooms(pybind11::module_& m);      ///< styles, bound strands, hair meshes
+void bindLevels(pybind11::module_& m);      ///< GroomDetail, LevelOfDetail
 void bindMotion(pybind11::module_& m);      ///< Motion, Pose
 void bindSimulation(pybind11::module_& m);  ///< Simulation
 void bindShadows(pybind11::module_& m);     ///< shadow, DensityMap, ShadowMethod, shade

@@ -31,7 +31,7 @@ enum {
   kStyle10 = 32,
   kBinding10 = 16,
   kBody10 = 56,
-  kView10 = 56,
+  kView10 = 64,
   kMap10 = 36,
   kPool10 = 24
 };
@@ -62,6 +62,7 @@ AT(hair_body, planes, 48);
 AT(hair_view, points, 16);
 AT(hair_view, colours, 40);
 AT(hair_view, time, 48);
+AT(hair_view, wider, 60);
 AT(hair_map, pivot, 24);
 AT(hair_pool, run, 8);
 AT(hair_pool, user, 16);

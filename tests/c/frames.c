@@ -135,6 +135,58 @@ static void a_restart_is_the_start_and_a_teleport_is_not_seen(void) {
   hair_destroy(hair);
 }
 
+/* That strands cover, in widths of a strand of the whole hair. */
+static double area_of(hair_view view) {
+  double area = 0;
+  for (uint32_t s = 0; s < view.strand_count; ++s)
+    for (uint32_t p = view.first[s]; p + 1 < view.first[s + 1]; ++p) {
+      double squares = 0;
+      for (int i = 0; i < 3; ++i) {
+        const double d = view.points[3 * (p + 1) + i] - view.points[3 * p + i];
+        squares += d * d;
+      }
+      area += sqrt(squares) * view.colours[4 * p + 3] / 255 * view.wider;
+    }
+  return area;
+}
+
+static void a_small_head_is_drawn_with_less_and_moves_the_same(void) {
+  hair_instance *whole = small_hair(), *small = small_hair();
+  const hair_view all = view_of(whole);
+  CHECK(all.drawn_count == all.strand_count && all.wider == 1);
+  float pixels = 0;
+  OK(hair_head_pixels(2, 0.5f, 1080, &pixels));
+  CHECK(fabsf(pixels - 1080 * 0.225f / (4 * tanf(0.25f))) < 1e-2f);
+  OK(hair_set_detail(small, 4, 0.5f));
+  CHECK(hash_of(small) == hash_of(whole));
+  OK(hair_relight(small));
+  const hair_view less = view_of(small);
+  CHECK(less.strand_count == 240 && less.drawn_count < 120 && less.drawn_count > 60);
+  CHECK(less.point_count < all.point_count / 2 && less.first[240] == less.point_count);
+  CHECK(less.wider > 2 && fabs(area_of(less) / area_of(all) - 1) < 0.02);
+  uint32_t faint = 0;
+  for (uint32_t p = 0; p < less.point_count; ++p) faint += less.colours[4 * p + 3] < 255;
+  CHECK(faint > 0 && faint < less.point_count / 2);
+  /* Another level every frame; back at all of it, it is the hair that was always whole. */
+  for (int f = 1; f <= 10; ++f) {
+    OK(hair_set_detail(small, (float)(2 + f % 3), 1));
+    dance(small, f - 1, f);
+  }
+  dance(whole, 0, 10);
+  CHECK(hash_of(small) != hash_of(whole));
+  OK(hair_set_detail(small, 0, 1));
+  OK(hair_relight(small));
+  CHECK(hash_of(small) == hash_of(whole));
+  CHECK(memcmp(view_of(small).colours, view_of(whole).colours, 4 * all.point_count) == 0);
+  REFUSED(hair_set_detail(small, -1, 1), "pixels high");
+  REFUSED(hair_set_detail(small, NAN, 1), "pixels high");
+  REFUSED(hair_set_detail(small, 100, 0), "importance");
+  REFUSED(hair_set_detail(small, 100, 1.5f), "importance");
+  REFUSED(hair_set_detail(NULL, 100, 1), "hair_instance");
+  REFUSED(hair_head_pixels(0, 1, 1, &pixels), "distance");
+  hair_destroy(whole), hair_destroy(small);
+}
+
 /* Level strands, `across` times `layers`, 1 mm apart, of three points over 10 cm. */
 static hair_strands wall(uint32_t across, uint32_t layers) {
   hair_strands s;
@@ -232,6 +284,7 @@ int main(void) {
   settings_and_lights_take_effect();
   a_restored_run_goes_on_with_the_same_bits();
   a_restart_is_the_start_and_a_teleport_is_not_seen();
+  a_small_head_is_drawn_with_less_and_moves_the_same();
   shadows_keep_beers_law();
   hair_is_made_of_own_strands_and_of_own_guides();
   errors();
