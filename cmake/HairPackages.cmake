@@ -82,8 +82,14 @@ debian_package(development libhair-dev libdevel
 debian_package(programs hair-tools graphics "hair simulated and shadowed on the CPU: programs"
   "${about}\n.\nhair converts, simulates, measures and renders; dance shows hair that dances."
   RECOMMENDS ffmpeg)
+# An extension is of one minor version of Python.
+set(python_needs python3-numpy)
+if(HAIR_BUILD_PYTHON)
+  math(EXPR python_next "${Python_VERSION_MINOR} + 1")
+  list(APPEND python_needs "python3 (>= 3.${Python_VERSION_MINOR})" "python3 (<< 3.${python_next})")
+endif()
 debian_package(python python3-libhair python "hair simulated and shadowed on the CPU: Python"
-  "${about}\n.\nThis package has the module of Python." DEPENDS python3 python3-numpy)
+  "${about}\n.\nThis package has the module of Python." DEPENDS ${python_needs})
 
 include(CPack)
 cpack_add_component(development GROUP development)

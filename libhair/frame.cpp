@@ -87,6 +87,8 @@ void redraw(Hair& hair) {
 void frame(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
            FrameProfile& profile) {
   takeLevel(hair);
+  // Hair that was made without it does not know what density it has at rest.
+  const bool selfCollision = settings.selfCollision && !hair.repulsion.allowed.empty();
   const auto guidePoints =
       static_cast<std::int64_t>(hair.guides.guideCount() * hair.guides.pointsPerGuide());
   const auto points = static_cast<std::int64_t>(hair.wisps.points.size());
@@ -94,8 +96,8 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
     const StageTimer timer(profile, Stage::Guides, guidePoints);
     if (!hair.body().asMany(body)) changeColliders(body, settings, hair);
     const std::span<const LaneVec3> push =
-        settings.selfCollision ? hair.repulsion.push : std::span<const LaneVec3>{};
-    const bool sheltered = settings.selfCollision && settings.wind.shelter > 0 &&
+        selfCollision ? hair.repulsion.push : std::span<const LaneVec3>{};
+    const bool sheltered = selfCollision && settings.wind.shelter > 0 &&
                            hair.repulsion.windShare.size() == hair.guides.position.size();
     stepGuides({body.worldFromHead,
                 body.capsules,
@@ -113,8 +115,7 @@ void frame(const BodyState& body, const FrameSettings& settings, float seconds, 
     const StageTimer timer(profile, Stage::Wisps, points);
     interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
   }
-  const int turns =
-      settings.selfCollision ? turnsDue(seconds, settings.repulsion, hair.repulsion) : 0;
+  const int turns = selfCollision ? turnsDue(seconds, settings.repulsion, hair.repulsion) : 0;
   if (turns > 0) {
     const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
     measureDensity(feltStrands(settings.repulsion, hair), hair.groom->fibre, settings.repulsion,

@@ -23,8 +23,10 @@ namespace HAIR_API hair {
 /// What a frame computes. A stage that is off from the start costs nothing, neither time nor
 /// memory.
 struct FrameSettings {
-  GuideSettings guides;         ///< how guides move
-  bool selfCollision = true;    ///< off: nothing pushes hair apart, and no density is measured
+  GuideSettings guides;  ///< how guides move
+  /// Off: nothing pushes hair apart, and no density is measured. Hair made without it has none
+  /// later.
+  bool selfCollision = true;
   RepulsionSettings repulsion;  ///< how strongly hair pushes hair apart
   Wind wind;                    ///< still air by default
 

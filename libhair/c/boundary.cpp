@@ -13,15 +13,6 @@ thread_local char lastError[1024] = "";
 thread_local int threadLimit = 0;  // 0: as many as there are
 thread_local hair_pool pool = {};  // run is null: none
 
-class CallersPool final : public ThreadPool {
- public:
-  int threadCount() const override { return static_cast<int>(pool.thread_count); }
-  void run(std::size_t taskCount, const Tasks& tasks) override {
-    pool.run(pool.user, taskCount, reinterpret_cast<const hair_tasks*>(&tasks));
-  }
-};
-thread_local CallersPool callersPool;
-
 }  // namespace
 
 hair_status failed(hair_status status, const char* why) noexcept {
@@ -31,7 +22,7 @@ hair_status failed(hair_status status, const char* why) noexcept {
 
 ThreadsInUse::ThreadsInUse() {
   if (pool.run)
-    pool_.emplace(callersPool);
+    pool_.emplace(callers_.emplace(pool));
   else if (threadLimit > 0)
     limit_.emplace(threadLimit);
 }

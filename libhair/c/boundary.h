@@ -39,7 +39,18 @@ class ThreadsInUse {
   ThreadsInUse();
 
  private:
+  // As it was when the call began: a host's run() may do other work of its own meanwhile, and that
+  // may ask for another pool.
+  struct CallersPool final : ThreadPool {
+    explicit CallersPool(const hair_pool& pool) : own(pool) {}
+    int threadCount() const override { return static_cast<int>(own.thread_count); }
+    void run(std::size_t taskCount, const Tasks& tasks) override {
+      own.run(own.user, taskCount, reinterpret_cast<const hair_tasks*>(&tasks));
+    }
+    hair_pool own;
+  };
   std::optional<ThreadLimit> limit_;
+  std::optional<CallersPool> callers_;
   std::optional<ThreadPoolScope> pool_;
 };
 
@@ -58,15 +69,31 @@ T& given(T* pointer, std::string_view name) {
   return *pointer;
 }
 
-/// The least size of each growing struct: that of version 1.0.
+/// The least size of each growing struct, that of version 1.0. These never change, whatever the
+/// structs have become: programs of then go on passing them.
 template <class T>
-inline constexpr std::size_t kFirstSize = sizeof(T);
+inline constexpr std::size_t kFirstSize = 0;
+template <>
+inline constexpr std::size_t kFirstSize<hair_settings> = 228;
+template <>
+inline constexpr std::size_t kFirstSize<hair_style> = 32;
+template <>
+inline constexpr std::size_t kFirstSize<hair_binding> = 16;
+template <>
+inline constexpr std::size_t kFirstSize<hair_body> = 40 + 2 * sizeof(void*);
+template <>
+inline constexpr std::size_t kFirstSize<hair_view> = 32 + 4 * sizeof(void*);
+template <>
+inline constexpr std::size_t kFirstSize<hair_map> = 36;
+template <>
+inline constexpr std::size_t kFirstSize<hair_pool> = 8 + 2 * sizeof(void*);
 
 /// No struct is as large: a larger size was never set.
 inline constexpr std::size_t kLargestSize = 4096;
 
 template <class T>
 void requireSize(std::size_t size, std::string_view name) {
+  static_assert(kFirstSize<T> > 0 && kFirstSize<T> <= sizeof(T));
   require(size >= kFirstSize<T> && size <= kLargestSize, name, ": size ", size, " is not in ",
           kFirstSize<T>, " to ", kLargestSize, "; set it to sizeof(", name, ")");
 }

@@ -64,6 +64,8 @@ Groom makeGroom(const StyleSettings& settings, const MeshSdf& headSdf) {
   require(settings.points >= 2, "style: a strand needs at least 2 points, not ", settings.points);
   require(settings.pointsPerGuide >= 3, "style: a guide needs at least 3 points, not ",
           settings.pointsPerGuide);
+  require(settings.hairs > 0 && settings.hairs < 1e9f, "style: ", settings.hairs,
+          " hairs; a head has about 100,000");
   require(settings.minLength > 0 && settings.maxLength >= settings.minLength,
           "style: lengths from ", settings.minLength, " m to ", settings.maxLength,
           " m; take 0 < minLength <= maxLength");

@@ -35,8 +35,9 @@ void bindDetail(py::module_& m) {
       .def("deviation", &GroomDetail::deviation, py::arg("points"),
            "How far strands are from those of that share of their segments, metres, root of the "
            "mean square.")
-      .def("__repr__",
-           [](const GroomDetail& d) { return text("<GroomDetail: ", d.strandCount(), " strands>"); });
+      .def("__repr__", [](const GroomDetail& d) {
+        return text("<GroomDetail: ", d.strandCount(), " strands>");
+      });
 }
 
 }  // namespace

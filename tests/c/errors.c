@@ -59,6 +59,15 @@ static void numbers_out_of_range_are_refused(void) {
   body.plane_count = 1;
   REFUSED(hair_step(hair, &body, 0.1f), "normal");
   REFUSED(hair_restart(hair, NULL, NAN), "are not in");
+  hair_style style;
+  OK(hair_style_init(&style, sizeof style, HAIR_STYLE_CURLY));
+  const float hairs[] = {NAN, INFINITY, 0, -5, 1e30f};
+  for (int i = 0; i < 5; ++i) {
+    hair_instance* none = hair;
+    style.hairs = hairs[i];
+    REFUSED(hair_create_from_style(&style, NULL, NULL, &none), "hairs");
+    CHECK(none == NULL);
+  }
 
   hair_light light = {HAIR_LIGHT_PARALLEL, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}};
   REFUSED(hair_set_lights(hair, &light, 1), "direction");

@@ -67,6 +67,26 @@ static void hair_moves_and_is_read(void) {
   hair_destroy(NULL);
 }
 
+static void hair_made_without_self_collision_has_none_later(void) {
+  hair_style style;
+  hair_settings settings;
+  hair_instance* hair[2];
+  OK(hair_style_init(&style, sizeof style, HAIR_STYLE_CURLY));
+  OK(hair_settings_init(&settings, sizeof settings));
+  style.wisps = 40;
+  style.strands = 240;
+  settings.self_collision = 0;
+  for (int i = 0; i < 2; ++i) {
+    OK(hair_create_from_style(&style, &settings, body_at(0), &hair[i]));
+    settings.self_collision = 1;
+    if (i == 1) OK(hair_set_settings(hair[i], &settings));
+    settings.self_collision = 0;
+    dance(hair[i], 0, 30);
+  }
+  CHECK(hash_of(hair[0]) == hash_of(hair[1]));
+  for (int i = 0; i < 2; ++i) hair_destroy(hair[i]);
+}
+
 static void settings_and_lights_take_effect(void) {
   hair_instance* hair = small_hair();
   hair_settings settings;
@@ -281,6 +301,7 @@ int main(void) {
   CHECK(hair_version() == (HAIR_C_VERSION_MAJOR << 16 | HAIR_C_VERSION_MINOR));
   CHECK(strlen(hair_library_version()) >= 5 && strcmp(hair_last_error(), "") == 0);
   hair_moves_and_is_read();
+  hair_made_without_self_collision_has_none_later();
   settings_and_lights_take_effect();
   a_restored_run_goes_on_with_the_same_bits();
   a_restart_is_the_start_and_a_teleport_is_not_seen();

@@ -102,8 +102,33 @@ static void an_own_pool_gives_the_same_bits(void) {
   hair_destroy(hair);
 }
 
+/* A host whose thread that waits does another job meanwhile, which has a pool of its own. */
+struct Helpful {
+  int helped;
+};
+
+static void run_and_help(void* user, size_t task_count, const hair_tasks* tasks) {
+  struct Helpful* host = user;
+  if (!host->helped) {
+    host->helped = 1;
+    OK(hair_use_pool(NULL));
+  }
+  for (size_t i = 0; i < task_count; ++i) hair_do_task(tasks, i);
+}
+
+static void a_call_keeps_the_pool_that_it_began_with(void) {
+  struct Helpful host = {0};
+  const hair_pool pool = {sizeof pool, 3, run_and_help, &host};
+  hair_instance* hair = small_hair();
+  OK(hair_use_pool(&pool));
+  OK(hair_step(hair, body_at(0), 1.0f / 60));
+  CHECK(host.helped);
+  hair_destroy(hair);
+}
+
 void threads(void);
 void threads(void) {
   a_hair_a_thread_is_as_one_after_the_other();
   an_own_pool_gives_the_same_bits();
+  a_call_keeps_the_pool_that_it_began_with();
 }

@@ -4,6 +4,7 @@ import functools
 import os
 import re
 import time
+import zlib
 
 import bpy
 import numpy
@@ -53,8 +54,10 @@ def frame_settings(hair, scene):
 
 
 def cache_file(hair):
-    """Where the object's frames go."""
-    name = re.sub(r"[^\w.-]", "_", hair.name) + ".haircache"
+    """Where the object's frames go: a file for each object of each .blend."""
+    whole = f"{os.path.basename(bpy.data.filepath)} {hair.name}"
+    plain = re.sub(r"[^\w.-]", "_", hair.name)
+    name = f"{plain}.{zlib.crc32(whole.encode()):08x}.haircache"
     if hair.libhair.cache_folder:
         return os.path.join(bpy.path.abspath(hair.libhair.cache_folder), name)
     folder = bpy.path.abspath("//") if bpy.data.filepath else bpy.app.tempdir
