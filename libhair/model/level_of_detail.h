@@ -71,7 +71,7 @@ struct GroomDetail {
 /// What a picture needs of hair, per pixel. The defaults are measured (docs/level_of_detail.md).
 struct DetailSettings {
   float strandsPerPixel = 40;  ///< strands of the whole groom, per pixel of the head's height
-  float pixelsOff = 0.1f;      ///< how far strands may be from where they were, pixels
+  float pixelsOff = 0.05f;     ///< how far strands may be from where they were, pixels
   float pixelsPerCell = 3;     ///< what a cell of a shadow map measures at least
   float fade = 0.25f;          ///< LevelOfDetail::fade
 };
