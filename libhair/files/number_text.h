@@ -13,16 +13,16 @@ namespace hair {
 /// the float again. Numbers too small for a float (1e-50) are the nearest one, mostly zero.
 inline std::optional<float> floatFromText(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
-  const char* const end = word.data() + word.size();
   float value = 0;
-  auto [stop, error] = std::from_chars(word.data(), end, value);
+  auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::result_out_of_range) {
     double wide = 0;
-    error = std::from_chars(word.data(), end, wide).ec;
+    error = std::from_chars(word.data(), word.data() + word.size(), wide).ec;
     if (error == std::errc::result_out_of_range) return std::nullopt;
     value = static_cast<float>(wide);
   }
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  if (error != std::errc() || stop != word.data() + word.size() || !std::isfinite(value))
+    return std::nullopt;
   return value;
 }
 

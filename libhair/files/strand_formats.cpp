@@ -161,6 +161,8 @@ const StrandFile& prepared(const StrandFormat& format, const WriteOptions& optio
   checkOptional(strands.colours.size(), points, name, "colours");
   const UpAxis up = options.up == UpAxis::AsFile ? UpAxis::Y : options.up;
   const bool asIs = options.scale == 1 && up == UpAxis::Y;
+  // The caller's own, as its declaration says.
+  // NOLINTNEXTLINE(bugprone-return-const-ref-from-parameter)
   if (asIs && strands.scale == 1 && strands.up == UpAxis::Y) return strands;
   scratch = strands;
   scratch.scale = options.scale;

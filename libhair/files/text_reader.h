@@ -70,7 +70,7 @@ class TextReader {
   float toNumber(std::string_view w, std::string_view what) const {
     const std::optional<float> value = floatFromText(w);
     expect(value.has_value(), what, ": '", shown(w), "' is no finite number");
-    return *value;
+    return value.value_or(0.0f);
   }
 
   double toDouble(std::string_view w, std::string_view what) const {

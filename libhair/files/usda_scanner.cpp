@@ -184,7 +184,7 @@ float UsdaScanner::number(std::string_view what) {
   const std::string_view word = numberWord(what);
   const std::optional<float> value = floatFromText(word);
   expect(value.has_value(), what, ": '", TextReader::shown(word), "' is no finite number");
-  return *value;
+  return value.value_or(0.0f);
 }
 
 double UsdaScanner::real(std::string_view what) {

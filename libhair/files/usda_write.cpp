@@ -75,6 +75,7 @@ void writeUsdaStill(TextWriter& out, const StrandFile& file) {
   writeAttribute(out, "color3f[] primvars:displayColor", file.colours, file.defaultColour,
                  glm::vec3(0));
   std::vector<float> opacity;
+  opacity.reserve(file.transparency.size());
   for (float t : file.transparency) opacity.push_back(1 - t);
   writeAttribute(out, "float[] primvars:displayOpacity", opacity, 1 - file.defaultTransparency,
                  1.0f);

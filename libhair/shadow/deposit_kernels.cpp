@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include <libhair/shadow/deposit_kernels.h>
 
@@ -299,7 +300,7 @@ struct SegmentBatch {
   glm::vec3 point(std::size_t l) const { return {x[l], y[l], z[l]}; }
   /// Multiplies the amounts of segments l to end.
   void weaken(std::size_t l, std::size_t end, float weight) {
-    const auto times = static_cast<std::uint64_t>(weight * 65536.0f + 0.5f);
+    const auto times = static_cast<std::uint64_t>(std::lround(weight * 65536.0f));
     for (; l < end; ++l) {
       const auto amount = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(whole[l])) << 16) +
                           static_cast<std::uint64_t>(static_cast<std::uint32_t>(part[l]));

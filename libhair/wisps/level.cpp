@@ -1,6 +1,7 @@
 #include <libhair/wisps/level.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
@@ -66,9 +67,9 @@ void fadeColours(const Wisps& wisps, std::span<std::uint32_t> colours) {
   const DrawnPart& drawn = wisps.drawn;
   for (std::size_t s = 0; s < drawn.weights.size(); ++s) {
     if (drawn.weights[s] >= 1) continue;
+    const auto weight = static_cast<std::uint32_t>(std::lround(drawn.weights[s] * 65536));
     for (std::uint32_t p = drawn.first[s]; p < drawn.first[s + 1]; ++p) {
-      const auto opacity = static_cast<std::uint32_t>(
-          static_cast<float>(colours[p] >> 24) * drawn.weights[s] + 0.5f);
+      const std::uint32_t opacity = ((colours[p] >> 24) * weight + 32768) >> 16;
       colours[p] = (colours[p] & 0xffffffu) | opacity << 24;
     }
   }

@@ -19,9 +19,8 @@ TEST(Lod, PrintsARowOfEverySizeAndWritesTheSameTable) {
       run("lod --strands 400 --points 12 --settle 0 --sizes 24,6 --frames 1 --csv " + csv +
           " --sheet " + sheet);
   ASSERT_EQ(outcome.code, 0) << outcome.out;
-  for (const char* column :
-       {"head", "strands", "wider", "points", "cell", "map", "frame", "of all", "shadow", "bias",
-        "rms", "picture, %", "1 % on, %", "jump", "abrupt"})
+  for (const char* column : {"head", "strands", "wider", "points", "cell", "map", "frame", "of all",
+                             "shadow", "bias", "rms", "picture, %", "1 % on, %", "jump", "abrupt"})
     EXPECT_NE(outcome.out.find(column), std::string::npos) << column << '\n' << outcome.out;
   EXPECT_NE(outcome.out.find("\n  24      400"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("\n   6 "), std::string::npos) << outcome.out;
