@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,10 @@
 #include <pybind11/stl/filesystem.h>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+
+#include <libhair/core/parallel.h>
+
+#include "threads.h"
 
 // NumPy arrays in and out of the library without copies.
 namespace hair::python {
@@ -97,9 +102,12 @@ std::vector<Row> rowsOf(const py::object& object, std::string_view name) {
   return {rows.begin(), rows.end()};
 }
 
-/// Runs without Python's lock, so that other Python threads go on meanwhile.
+/// Runs without Python's lock, so that other Python threads go on meanwhile, on as many threads as
+/// thread_limit says. All that may use several goes through this.
 template <class Work>
 auto withoutLock(Work&& work) {
+  std::optional<ThreadLimit> limit;
+  if (const auto threads = threadsAllowed()) limit.emplace(*threads);
   const py::gil_scoped_release release;
   return work();
 }
@@ -109,12 +117,18 @@ inline void passInterrupts() {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
+/// Throws where another thread's call is at work on an object. A look that keeps Python's lock
+/// needs no more.
+inline void requireIdle(bool busy, const char* what) {
+  if (busy) throw std::runtime_error(std::string(what) + ": in use by another thread");
+}
+
 /// One call at a time may work on an object: the lock of Python, which is released meanwhile, does
 /// not keep a second thread out.
 class Busy {
  public:
   explicit Busy(bool& flag, const char* what) : flag_(flag) {
-    if (flag_) throw std::runtime_error(std::string(what) + ": in use by another thread");
+    requireIdle(flag_, what);
     flag_ = true;
   }
   ~Busy() { flag_ = false; }
