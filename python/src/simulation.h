@@ -50,15 +50,16 @@ class Simulation {
   py::array first();
   py::array transmittance();
   py::array colours();
+  Strands strands();
   py::array guidePoints() const;
   py::object visibility() const;
   void setVisibility(const py::object& visibility);
+  double time() const;
+  RigidTransform worldFromHead() const;
   py::dict profile() const;
-  py::dict stats() const;
+  py::dict stats();
   std::string stateHash() const;
-
-  const Hair& hair() const { return *hair_; }
-  const RigidTransform& worldFromHead() const { return body_.worldFromHead; }
+  std::string repr() const;
 
   FrameSettings settings;
 
@@ -75,6 +76,7 @@ class Simulation {
   static Body changed(Body body, const BodyChange& change);
   void frameTo(Body next, double seconds);
   void becoming(bool otherPoints);
+  const Hair& idleHair() const;  // throws where a call is at work on it
 
   GroomPtr groom_;
   Field head_;
