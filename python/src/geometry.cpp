@@ -150,7 +150,8 @@ void bindGeometry(py::module_& m) {
       });
 
   m.def(
-      "builtin_head", [] { return std::make_shared<TriangleMesh>(builtinHead().mesh); },
+      "builtin_head",
+      [] { return withoutLock([] { return std::make_shared<TriangleMesh>(builtinHead().mesh); }); },
       "The mannequin that the built-in styles grow on, as a Mesh in head space.");
   m.def(
       "read_obj",
@@ -170,7 +171,7 @@ Made once (up to seconds) and shared by any number of simulations.)")
       .def(py::init([](const Mesh& mesh, float cell, float margin) {
              return withoutLock([&] { return std::make_shared<MeshSdf>(*mesh, cell, margin); });
            }),
-           py::arg("mesh"), py::arg("cell") = 0.004f, py::arg("margin") = 0.03f,
+           py::arg("mesh").none(false), py::arg("cell") = 0.004f, py::arg("margin") = 0.03f,
            "cell: of the grid, metres. margin: how far it reaches beyond the mesh, metres.")
       .def(
           "distance",
@@ -214,7 +215,7 @@ Made once (up to seconds) and shared by any number of simulations.)")
         const py::array in = requirePoints(roots, "roots");
         return withoutLock([&] { return placeHead(*mesh, pointsOf(in)); });
       },
-      py::arg("mesh"), py::arg("roots"),
+      py::arg("mesh").none(false), py::arg("roots"),
       "How to move a loaded bust, whose hair has these roots (N, 3) float32, into head space.");
 }
 
