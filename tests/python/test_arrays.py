@@ -100,6 +100,17 @@ class Inputs(unittest.TestCase):
             with self.subTest(message), self.assertRaisesRegex(error, message):
                 libhair.shadow(strands, LIGHT, out=o)
 
+    def test_the_way_out_of_bad_alignment_is_one(self):
+        raw = numpy.zeros(4 * 3 * 24 + 1, numpy.uint8)
+        points = raw[1:].view(numpy.float32).reshape(-1, 3)
+        points[:] = wavy(2).reshape(-1, 3)
+        first = numpy.array([0, 12, 24], numpy.uint32)
+        with self.assertRaisesRegex(ValueError, "points: not aligned: (numpy.require.*)") as caught:
+            libhair.Strands(points, first)
+        cure = str(caught.exception).partition("aligned: ")[2]
+        aligned = eval(cure, {"numpy": numpy, "points": points})
+        self.assertEqual(len(libhair.Strands(aligned, first)), 2)
+
     def test_an_error_of_the_library_is_a_value_error(self):
         self.assertTrue(issubclass(libhair.Error, ValueError))
         with self.assertRaisesRegex(libhair.Error, "offsets must start with 0"):
