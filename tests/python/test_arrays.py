@@ -116,6 +116,11 @@ class Inputs(unittest.TestCase):
         with self.assertRaisesRegex(libhair.Error, "offsets must start with 0"):
             libhair.Strands(numpy.zeros((2, 3), numpy.float32), numpy.array([1, 2], numpy.uint32))
 
+    def test_strands_without_points_are_refused_at_once(self):
+        for count in (5, 2**40):  # the second's offsets would fill the memory
+            with self.assertRaisesRegex(ValueError, f"{count} strands of no points"):
+                libhair.Strands(numpy.empty((count, 0, 3), numpy.float32))
+
     def test_no_strands_are_strands(self):
         none = libhair.Strands(numpy.zeros((0, 3), numpy.float32), numpy.zeros(1, numpy.uint32))
         self.assertEqual(len(none), 0)
