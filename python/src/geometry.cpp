@@ -15,6 +15,14 @@ namespace hair::python {
 
 namespace {
 
+// Else it would show up frames later, in the hair.
+glm::vec3 finite(glm::vec3 translation) {
+  for (int c = 0; c < 3; ++c)
+    if (!std::isfinite(translation[c]))
+      throw py::value_error("translation: not finite; metres are wanted");
+  return translation;
+}
+
 // Rows of a 4 × 4 matrix that turns and moves, no more.
 RigidTransform transformOf(const py::sequence& rows) {
   using Matrix = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -43,7 +51,7 @@ RigidTransform transformOf(const py::sequence& rows) {
       throw py::value_error(text("transform: not only a turn and a move (column ", c,
                                  " has length ", length, "); take scale and shear out of it"));
   }
-  return {glm::normalize(glm::quat(glm::quat_cast(turn))), glm::vec3(move)};
+  return {glm::normalize(glm::quat(glm::quat_cast(turn))), finite(glm::vec3(move))};
 }
 
 py::array matrixOf(const RigidTransform& t) {
@@ -67,9 +75,10 @@ matrix (array or sequence of rows) does too.)")
            py::arg("matrix"),
            "From a matrix (4, 4) that turns and moves; ValueError where it scales or shears.")
       .def(py::init([](glm::quat rotation, glm::vec3 translation) {
-             if (!(glm::length(rotation) > 1e-6f))
-               throw py::value_error("rotation: a quaternion (w, x, y, z) without length");
-             return RigidTransform{glm::normalize(rotation), translation};
+             const float length = glm::length(rotation);
+             if (!(length > 1e-6f) || !std::isfinite(length))
+               throw py::value_error("rotation: a quaternion (w, x, y, z) without a length");
+             return RigidTransform{glm::normalize(rotation), finite(translation)};
            }),
            py::kw_only(), py::arg("rotation") = glm::quat(1, 0, 0, 0),
            py::arg("translation") = glm::vec3(0), "From quaternion (w, x, y, z) and metres.")
