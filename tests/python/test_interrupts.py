@@ -188,7 +188,7 @@ class Threads(unittest.TestCase):
 
     def refused_look(self, simulation, name):
         """What is said to a thread that looks again and again."""
-        for _ in range(300):
+        for _ in range(2000):
             try:
                 self.look(simulation, name)
             except RuntimeError as error:
