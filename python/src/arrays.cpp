@@ -42,8 +42,10 @@ py::array requireArray(py::handle object, std::string_view name, const py::dtype
                           " is wanted");
   }
   constexpr int kAligned = py::detail::npy_api::NPY_ARRAY_ALIGNED_;
-  if ((array.flags() & py::array::c_style) == 0 || (array.flags() & kAligned) == 0)
+  if ((array.flags() & py::array::c_style) == 0)
     throw py::value_error(what + ": not C-contiguous: numpy.ascontiguousarray(" + what + ")");
+  if ((array.flags() & kAligned) == 0)
+    throw py::value_error(what + ": not aligned: numpy.require(" + what + ", requirements=\"CA\")");
   if (writeable && !array.writeable()) throw py::value_error(what + ": read-only");
   return array;
 }

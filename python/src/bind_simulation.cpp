@@ -21,11 +21,10 @@ void bindPlacedField(py::module_& m) {
   py::class_<PlacedField>(m, "MeshCollider",
                           "A closed mesh that hair collides with, and its place.")
       .def(py::init([](Field field, const RigidTransform& worldFromMesh, float scale) {
-             if (!field) throw py::type_error("field: None, but a DistanceField is wanted");
              return PlacedField{std::move(field), worldFromMesh, scale};
            }),
-           py::arg("field"), py::arg("world_from_mesh") = RigidTransform{}, py::arg("scale") = 1.0f,
-           "field: DistanceField; scale: (0, 1000).")
+           py::arg("field").none(false), py::arg("world_from_mesh") = RigidTransform{},
+           py::arg("scale") = 1.0f, "field: DistanceField; scale: (0, 1000).")
       .def_readonly("field", &PlacedField::field, "DistanceField.")
       .def_readonly("world_from_mesh", &PlacedField::worldFromMesh, "Transform.")
       .def_readonly("scale", &PlacedField::scale, "Of the mesh in the world.")
@@ -66,18 +65,18 @@ matrix. capsules: (C, 7), each a, b and radius, metres; planes: (P, 6), each a p
 normal to the free side; meshes: MeshCollider objects.
 
 points, transmittance and colours are views that follow every step. restart, change_groom,
-restore_state, another level, and settings that change how many there are, may give them other memory: older views
-then go on showing what they last did. A second thread that works on the simulation meanwhile gets
-RuntimeError.)");
+restore_state, another level, and settings that change how many there are, may give them other
+memory: older views then go on showing what they last did. A second thread that works on the
+simulation, or looks into it, while a call is at work gets RuntimeError; settings alone may be set
+then.)");
   c.def(py::init([](const GroomPtr& groom, const FrameSettings& settings, const Field& head,
                     const PosePtr& pose, OptionalTransform world, const py::object& capsules,
                     const py::object& planes, OptionalMeshes meshes, const WispSettings& wisps) {
-          if (!groom) throw py::type_error("groom: None, but a Groom is wanted");
           return std::make_unique<S>(
               groom, settings, head,
               BodyChange{pose, std::move(world), capsules, planes, std::move(meshes)}, wisps);
         }),
-        py::arg("groom"), py::arg("settings") = FrameSettings{}, py::kw_only(),
+        py::arg("groom").none(false), py::arg("settings") = FrameSettings{}, py::kw_only(),
         py::arg("head") = py::none(), HAIR_BODY_ARGS, py::arg("wisps") = WispSettings{},
         R"(At rest, as groomed; restart() settles it on the body.
 
@@ -114,10 +113,10 @@ seconds, None: the simulation's own time. on_frame: called with i after each fra
   c.def_property("detail", &S::detail, &S::setDetail,
                  "GroomDetail of the groom, or None until a level needs one.");
   c.def_property(
-      "level", [](const S& s) { return s.hair().level; }, &S::setLevel,
+      "level", [](const S& s) { return s.idleHair().level; }, &S::setLevel,
       "LevelOfDetail that the next step or light() draws; a copy. Guides do not feel it.");
   c.def_property_readonly(
-      "wider", [](const S& s) { return s.hair().wisps.drawn.wider; },
+      "wider", [](const S& s) { return s.idleHair().wisps.drawn.wider; },
       "So much wider are strands to be drawn than all of them would be; 1 where all are.");
   c.def("teleport", &S::teleport, py::arg("world_from_head"),
         "To another place with its head: hair keeps its shape and does not see the jump.");
@@ -131,7 +130,7 @@ seconds, None: the simulation's own time. on_frame: called with i after each fra
       },
       py::kw_only(), HAIR_BODY_ARGS,
       "Others take their places, which did not move there; guides inside are brought out.");
-  c.def("change_groom", &S::changeGroom, py::arg("groom"),
+  c.def("change_groom", &S::changeGroom, py::arg("groom").none(false),
         "Another hairstyle in the middle of the motion; whether the motion goes on in it.");
   c.def("save_state", &S::saveState, "All that a frame hands to the next, as bytes.");
   c.def("restore_state", &S::restoreState, py::arg("state"),
@@ -142,9 +141,7 @@ seconds, None: the simulation's own time. on_frame: called with i after each fra
       "first", &S::first,
       "Offsets of drawn strands, (S + 1,) uint32, of which those that a level leaves out "
       "have no points; a read-only view.");
-  c.def_property_readonly(
-      "strands", [](S& s) { return Strands(s.points(), s.first()); },
-      "Drawn hair as Strands over the same views.");
+  c.def_property_readonly("strands", &S::strands, "Drawn hair as Strands over the same views.");
   c.def_property_readonly("transmittance", &S::transmittance,
                           "(lights, N) float32, [0, 1], of the last frame; a read-only view.");
   c.def_property_readonly(
@@ -154,7 +151,7 @@ seconds, None: the simulation's own time. on_frame: called with i after each fra
   c.def_property("visibility", &S::visibility, &S::setVisibility,
                  "What head and body leave of each light, (lights, N) float32, copied; or None.");
   c.def("guide_points", &S::guidePoints, "Guides now, (G, P, 3) float32, metres; a copy.");
-  c.def_property_readonly("time", [](const S& s) { return s.hair().time; }, "Simulated seconds.");
+  c.def_property_readonly("time", &S::time, "Simulated seconds.");
   c.def_property_readonly("world_from_head", &S::worldFromHead, "Where the head is: Transform.");
   c.def_property_readonly("profile", &S::profile,
                           "What the last frame cost: {stage: (milliseconds, items)}.");
@@ -163,10 +160,7 @@ seconds, None: the simulation's own time. on_frame: called with i after each fra
         "(metres), kinetic_energy (joules), speed_max (m/s).");
   c.def("state_hash", &S::stateHash,
         "16 hexadecimal digits over guides and drawn hair; the same on every machine.");
-  c.def("__repr__", [](const S& s) {
-    return text("<Simulation: ", s.hair().guides.guideCount(), " guides, ",
-                s.hair().wisps.points.size(), " points, at ", s.hair().time, " s>");
-  });
+  c.def("__repr__", &S::repr);
 }
 
 }  // namespace hair::python

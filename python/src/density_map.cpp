@@ -140,7 +140,7 @@ compute_transmittance(), then sample() or sample_strands().)")
       .def("deposit", &Map::deposit, py::arg("strands"), py::arg("fibre") = Fibre{},
            py::arg("stride") = 1u,
            "Adds strands. stride: every so many strands are read, and count for that many.")
-      .def("occlude", &Map::occludeField, py::arg("field"),
+      .def("occlude", &Map::occludeField, py::arg("field").none(false),
            py::arg("world_from_mesh") = RigidTransform{},
            "Adds an opaque thing: a DistanceField at a Transform.")
       .def("occlude_capsules", &Map::occludeCapsules, py::arg("capsules"),

@@ -7,8 +7,8 @@
 
 namespace hair::python {
 
-/// A class of settings: fields by keyword, defaults those of the C++ class, `==`, repr, a copy with
-/// some fields changed.
+/// A class of settings: fields by keyword, defaults those of the C++ class, `==`, repr, copies
+/// (also with some fields changed), pickling.
 template <class T>
 class Fields {
  public:
@@ -27,6 +27,15 @@ class Fields {
           return copy;
         },
         "A copy with these fields changed.");
+    class_.def(
+        "__reduce__",
+        [](const py::object& self) {
+          py::dict fields;
+          for (const py::handle field : self.attr("_fields")) fields[field] = self.attr(field);
+          const auto make = py::module_::import("functools").attr("partial");
+          return py::make_tuple(make(py::type::of(self), **fields), py::tuple());
+        },
+        "For the modules copy and pickle; nothing is shared.");
     class_.def(
         "__eq__",
         [](const py::object& a, const py::object& b) {

@@ -15,6 +15,14 @@ namespace hair::python {
 
 namespace {
 
+// Else it would show up frames later, in the hair.
+glm::vec3 finite(glm::vec3 translation) {
+  for (int c = 0; c < 3; ++c)
+    if (!std::isfinite(translation[c]))
+      throw py::value_error("translation: not finite; metres are wanted");
+  return translation;
+}
+
 // Rows of a 4 × 4 matrix that turns and moves, no more.
 RigidTransform transformOf(const py::sequence& rows) {
   using Matrix = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -43,7 +51,7 @@ RigidTransform transformOf(const py::sequence& rows) {
       throw py::value_error(text("transform: not only a turn and a move (column ", c,
                                  " has length ", length, "); take scale and shear out of it"));
   }
-  return {glm::normalize(glm::quat(glm::quat_cast(turn))), glm::vec3(move)};
+  return {glm::normalize(glm::quat(glm::quat_cast(turn))), finite(glm::vec3(move))};
 }
 
 py::array matrixOf(const RigidTransform& t) {
@@ -67,9 +75,10 @@ matrix (array or sequence of rows) does too.)")
            py::arg("matrix"),
            "From a matrix (4, 4) that turns and moves; ValueError where it scales or shears.")
       .def(py::init([](glm::quat rotation, glm::vec3 translation) {
-             if (!(glm::length(rotation) > 1e-6f))
-               throw py::value_error("rotation: a quaternion (w, x, y, z) without length");
-             return RigidTransform{glm::normalize(rotation), translation};
+             const float length = glm::length(rotation);
+             if (!(length > 1e-6f) || !std::isfinite(length))
+               throw py::value_error("rotation: a quaternion (w, x, y, z) without a length");
+             return RigidTransform{glm::normalize(rotation), finite(translation)};
            }),
            py::kw_only(), py::arg("rotation") = glm::quat(1, 0, 0, 0),
            py::arg("translation") = glm::vec3(0), "From quaternion (w, x, y, z) and metres.")
@@ -150,7 +159,8 @@ void bindGeometry(py::module_& m) {
       });
 
   m.def(
-      "builtin_head", [] { return std::make_shared<TriangleMesh>(builtinHead().mesh); },
+      "builtin_head",
+      [] { return withoutLock([] { return std::make_shared<TriangleMesh>(builtinHead().mesh); }); },
       "The mannequin that the built-in styles grow on, as a Mesh in head space.");
   m.def(
       "read_obj",
@@ -170,7 +180,7 @@ Made once (up to seconds) and shared by any number of simulations.)")
       .def(py::init([](const Mesh& mesh, float cell, float margin) {
              return withoutLock([&] { return std::make_shared<MeshSdf>(*mesh, cell, margin); });
            }),
-           py::arg("mesh"), py::arg("cell") = 0.004f, py::arg("margin") = 0.03f,
+           py::arg("mesh").none(false), py::arg("cell") = 0.004f, py::arg("margin") = 0.03f,
            "cell: of the grid, metres. margin: how far it reaches beyond the mesh, metres.")
       .def(
           "distance",
@@ -214,7 +224,7 @@ Made once (up to seconds) and shared by any number of simulations.)")
         const py::array in = requirePoints(roots, "roots");
         return withoutLock([&] { return placeHead(*mesh, pointsOf(in)); });
       },
-      py::arg("mesh"), py::arg("roots"),
+      py::arg("mesh").none(false), py::arg("roots"),
       "How to move a loaded bust, whose hair has these roots (N, 3) float32, into head space.");
 }
 

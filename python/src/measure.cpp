@@ -146,7 +146,7 @@ void bindTruth(py::module_& m) {
         return text("<Truth at ", t.truth.transmittance.size(), " points, footprint ",
                     1000 * t.footprint, " mm>");
       });
-  m.def("truth", &exactTruth, py::arg("strands"), py::arg("light"), py::arg("points"),
+  m.def("truth", &exactTruth, py::arg("strands"), py::arg("light"), py::arg("points").none(false),
         py::arg("footprint") = TruthSettings{}.footprint, py::kw_only(),
         py::arg("rays") = TruthSettings{}.rays, py::arg("seed") = TruthSettings{}.seed,
         py::arg("fibre") = Fibre{}, py::arg("pivot") = py::none(),

@@ -29,6 +29,16 @@ void bindLight(py::module_& m) {
       .def(
           "__eq__", [](const Light& a, const Light& b) { return a == b; }, py::is_operator(),
           py::arg("other"), "The same in every number.")
+      .def(py::pickle(
+          [](const Light& l) { return py::make_tuple(l.kind, l.direction, l.position, l.colour); },
+          [](const py::tuple& state) {
+            Light light;
+            light.kind = state[0].cast<Light::Kind>();
+            light.direction = state[1].cast<glm::vec3>();
+            light.position = state[2].cast<glm::vec3>();
+            light.colour = state[3].cast<glm::vec3>();
+            return light;
+          }))
       .def("__repr__", [](const Light& l) {
         const bool parallel = l.kind == Light::Kind::Parallel;
         const glm::vec3 v = parallel ? l.direction : l.position;

@@ -91,7 +91,8 @@ void Simulation::step(double seconds, const BodyChange& change) {
 
 int Simulation::run(int frames, double seconds, const Motion* motion, std::optional<double> start,
                     const py::object& onFrame) {
-  const double begin = start ? *start : hair_->time;
+  require(frames >= 0, "run: frames: ", frames, "; there are 0 or more");
+  const double begin = start ? *start : time();
   for (int i = 0; i < frames; ++i) {
     passInterrupts();
     {
@@ -210,12 +211,18 @@ void Simulation::restoreState(const py::bytes& state) {
   if (body_.meshes.size() == hair_->meshes.size()) body_.meshes = hair_->meshes;
 }
 
+const Hair& Simulation::idleHair() const {
+  requireIdle(busy_, "simulation");
+  return *hair_;
+}
+
 py::array Simulation::points() {
-  const auto& points = hair_->wisps.points;
+  const auto& points = idleHair().wisps.points;
   return points_.view<float>(hair_, points, {static_cast<py::ssize_t>(points.size()), 3});
 }
 
 py::array Simulation::first() {
+  requireIdle(busy_, "simulation");
   const auto& drawn = hair_->wisps.drawn.first;
   if (!drawn.empty())
     return first_.view<std::uint32_t>(hair_, drawn, {static_cast<py::ssize_t>(drawn.size())});
@@ -224,19 +231,24 @@ py::array Simulation::first() {
 }
 
 py::array Simulation::transmittance() {
-  const auto& values = hair_->transmittance;
+  const auto& values = idleHair().transmittance;
   const auto points = static_cast<py::ssize_t>(hair_->wisps.points.size());
   const auto lights = points > 0 ? static_cast<py::ssize_t>(values.size()) / points : 0;
   return transmittance_.view<float>(hair_, values, {lights, points});
 }
 
 py::array Simulation::colours() {
-  const auto& values = hair_->colours;
+  const auto& values = idleHair().colours;
   return colours_.view<std::uint8_t>(hair_, values, {static_cast<py::ssize_t>(values.size()), 4});
 }
 
+Strands Simulation::strands() {
+  const py::array offsets = first();
+  return {points(), offsets};
+}
+
 py::array Simulation::guidePoints() const {
-  const GuideStrands& guides = hair_->guides;
+  const GuideStrands& guides = idleHair().guides;
   std::vector<glm::vec3> points(guides.guideCount() * guides.pointsPerGuide());
   guides.copyPoints(points);
   return arrayOf<float>(std::move(points), {static_cast<py::ssize_t>(guides.guideCount()),
@@ -244,7 +256,7 @@ py::array Simulation::guidePoints() const {
 }
 
 py::object Simulation::visibility() const {
-  if (hair_->visibility.empty()) return py::none();
+  if (idleHair().visibility.empty()) return py::none();
   const auto points = static_cast<py::ssize_t>(hair_->wisps.points.size());
   return arrayOf<float>(std::vector(hair_->visibility),
                         {static_cast<py::ssize_t>(hair_->visibility.size()) / points, points});
@@ -260,7 +272,17 @@ void Simulation::setVisibility(const py::object& visibility) {
   hair_->visibility.assign(values.begin(), values.end());
 }
 
+double Simulation::time() const {
+  return idleHair().time;
+}
+
+RigidTransform Simulation::worldFromHead() const {
+  requireIdle(busy_, "simulation");
+  return body_.worldFromHead;
+}
+
 py::dict Simulation::profile() const {
+  requireIdle(busy_, "simulation");
   py::dict stages;
   for (std::size_t s = 0; s < kStageCount; ++s)
     stages[py::str(std::string(stageName(static_cast<Stage>(s))))] =
@@ -268,9 +290,11 @@ py::dict Simulation::profile() const {
   return stages;
 }
 
-py::dict Simulation::stats() const {
+py::dict Simulation::stats() {
+  const Busy busy(busy_, "simulation");
+  const GuideSettings taken = settings.guides;
   const GuideStats s = withoutLock([&] {
-    return measureGuides(hair_->guides, settings.guides, body_.capsules, head_.get(),
+    return measureGuides(hair_->guides, taken, body_.capsules, head_.get(),
                          {body_.planes, body_.meshes});
   });
   py::dict all;
@@ -283,12 +307,20 @@ py::dict Simulation::stats() const {
 }
 
 std::string Simulation::stateHash() const {
+  const Hair& hair = idleHair();
   StateHash hash;
-  hair_->guides.addTo(hash);
-  hash.add(std::span<const glm::vec3>(hair_->wisps.points));
+  hair.guides.addTo(hash);
+  hash.add(std::span<const glm::vec3>(hair.wisps.points));
   std::ostringstream out;
   out << std::hex << std::setw(16) << std::setfill('0') << hash.value();
   return out.str();
+}
+
+// Whoever prints things to look for a fault wants no other one.
+std::string Simulation::repr() const {
+  if (busy_) return "<Simulation: in use by another thread>";
+  return text("<Simulation: ", hair_->guides.guideCount(), " guides, ", hair_->wisps.points.size(),
+              " points, at ", hair_->time, " s>");
 }
 
 }  // namespace hair::python

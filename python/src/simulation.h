@@ -55,16 +55,20 @@ class Simulation {
   py::array first();
   py::array transmittance();
   py::array colours();
+  Strands strands();
   py::array guidePoints() const;
   py::object visibility() const;
   void setVisibility(const py::object& visibility);
+  double time() const;
+  RigidTransform worldFromHead() const;
   py::dict profile() const;
-  py::dict stats() const;
+  py::dict stats();
   std::string stateHash() const;
 
-  const Hair& hair() const { return *hair_; }
+  /// The hair itself; throws where a call is at work on it.
+  const Hair& idleHair() const;
   const DetailPtr& detail() const { return detail_; }
-  const RigidTransform& worldFromHead() const { return body_.worldFromHead; }
+  std::string repr() const;
 
   FrameSettings settings;
 

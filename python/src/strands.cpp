@@ -17,6 +17,9 @@ Strands::Strands(const py::object& points_, const py::object& first_) {
   } else {
     const py::array grid = requireArray(points_, "points", py::dtype::of<float>(), {kAny, kAny, 3});
     const py::ssize_t count = grid.shape(0), each = grid.shape(1);
+    // Without points there is no bound on the strands, whose offsets would fill the memory.
+    if (count > 0 && each == 0)
+      throw py::value_error(text("points: ", count, " strands of no points"));
     if (count * each > py::ssize_t{0xffffffff}) throw py::value_error("points: more than 2^32 - 1");
     // Of a contiguous array, reshape is a view.
     points = grid.attr("reshape")(-1, 3);

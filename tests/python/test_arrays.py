@@ -100,10 +100,26 @@ class Inputs(unittest.TestCase):
             with self.subTest(message), self.assertRaisesRegex(error, message):
                 libhair.shadow(strands, LIGHT, out=o)
 
+    def test_the_way_out_of_bad_alignment_is_one(self):
+        raw = numpy.zeros(4 * 3 * 24 + 1, numpy.uint8)
+        points = raw[1:].view(numpy.float32).reshape(-1, 3)
+        points[:] = wavy(2).reshape(-1, 3)
+        first = numpy.array([0, 12, 24], numpy.uint32)
+        with self.assertRaisesRegex(ValueError, "points: not aligned: (numpy.require.*)") as caught:
+            libhair.Strands(points, first)
+        cure = str(caught.exception).partition("aligned: ")[2]
+        aligned = eval(cure, {"numpy": numpy, "points": points})
+        self.assertEqual(len(libhair.Strands(aligned, first)), 2)
+
     def test_an_error_of_the_library_is_a_value_error(self):
         self.assertTrue(issubclass(libhair.Error, ValueError))
         with self.assertRaisesRegex(libhair.Error, "offsets must start with 0"):
             libhair.Strands(numpy.zeros((2, 3), numpy.float32), numpy.array([1, 2], numpy.uint32))
+
+    def test_strands_without_points_are_refused_at_once(self):
+        for count in (5, 2**40):  # the second's offsets would fill the memory
+            with self.assertRaisesRegex(ValueError, f"{count} strands of no points"):
+                libhair.Strands(numpy.empty((count, 0, 3), numpy.float32))
 
     def test_no_strands_are_strands(self):
         none = libhair.Strands(numpy.zeros((0, 3), numpy.float32), numpy.zeros(1, numpy.uint32))

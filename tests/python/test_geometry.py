@@ -30,6 +30,15 @@ class Transforms(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"\(4, 4\)"):
             libhair.Transform(numpy.eye(3))
 
+    def test_what_is_not_finite_is_refused(self):
+        for bad in (float("nan"), float("inf")):
+            matrix = numpy.eye(4)
+            matrix[1, 3] = bad
+            for place in ({"rotation": (bad, 0, 0, 0)}, {"translation": (0, bad, 0)},
+                          {"matrix": matrix}):
+                with self.subTest(place), self.assertRaisesRegex(ValueError, "rotation|translation"):
+                    libhair.Transform(**place)
+
 
 class Distances(unittest.TestCase):
     def test_a_field_knows_inside_from_outside(self):

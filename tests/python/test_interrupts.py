@@ -115,6 +115,7 @@ class Threads(unittest.TestCase):
             done.set()
             sys.setswitchinterval(interval)
             thread.join()
+
     def test_a_second_thread_cannot_step_the_same_simulation(self):
         simulation = small_simulation()
         errors = []
@@ -150,6 +151,50 @@ class Threads(unittest.TestCase):
             stop.set()
             thread.join()
         self.assertIn("in use by another thread", refused[0])
+
+    def test_a_second_thread_cannot_look_into_a_simulation_at_work(self):
+        looks = [n for n in vars(libhair.Simulation)
+                 if isinstance(vars(libhair.Simulation)[n], property) and n != "settings"]
+        looks += ["guide_points", "stats", "state_hash", "save_state"]
+        self.assertGreaterEqual(len(looks), 12)
+        simulation = small_simulation()
+        simulation.step()
+        stop = threading.Event()
+
+        def step_on():
+            while not stop.is_set():
+                try:
+                    simulation.restart(0.2)
+                except RuntimeError:  # the other thread was looking
+                    pass
+
+        thread = threading.Thread(target=step_on)
+        thread.start()
+        try:
+            for name in looks:
+                with self.subTest(name):
+                    self.assertIn("in use by another thread", self.refused_look(simulation, name))
+        finally:
+            stop.set()
+            thread.join()
+        for name in looks:
+            self.look(simulation, name)
+        self.assertIn("points", repr(simulation))
+
+    @staticmethod
+    def look(simulation, name):
+        value = getattr(simulation, name)
+        return value() if callable(value) else value
+
+    def refused_look(self, simulation, name):
+        """What is said to a thread that looks again and again."""
+        for _ in range(2000):
+            try:
+                self.look(simulation, name)
+            except RuntimeError as error:
+                return str(error)
+            time.sleep(1e-3)  # so that the other thread gets back to work
+        return "always answered"
 
     @staticmethod
     def refused(simulation):

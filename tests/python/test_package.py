@@ -13,7 +13,8 @@ import libhair
 from libhair import _libhair
 
 SOURCE = pathlib.Path(os.environ["HAIR_SOURCE_DIR"]) / "python"
-QUIET = {"__module__", "__doc__", "__hash__", "__init__", "__repr__", "__eq__", "_fields"}
+QUIET = {"__module__", "__doc__", "__hash__", "__init__", "__repr__", "__eq__", "_fields",
+         "__getstate__", "__setstate__"}
 
 
 def own_doc(value):

@@ -1,5 +1,7 @@
 """Settings: fields by keyword, the library's defaults, words for enumerations."""
 
+import copy
+import pickle
 import unittest
 
 import numpy
@@ -45,9 +47,28 @@ class Settings(unittest.TestCase):
         frame = libhair.FrameSettings()
         frame.guides.gravity = (0, 0, -1)
         self.assertEqual(frame.guides.gravity, (0, 0, -1))
-        copy = frame.replace(shadow=False)
-        copy.guides.gravity = (0, 0, 0)
+        other = frame.replace(shadow=False)
+        other.guides.gravity = (0, 0, 0)
         self.assertEqual(frame.guides.gravity, (0, 0, -1))
+
+    def test_copies_and_pickles_are_equal_and_share_nothing(self):
+        ways = [copy.copy, copy.deepcopy, lambda s: pickle.loads(pickle.dumps(s))]
+        light = libhair.Light.point((1, 2, 3), (0.1, 0.2, 0.3))
+        frame = libhair.FrameSettings(lights=[light], eye=(0.1, 0.2, 0.3))
+        frame.guides.skin = 0.0123
+        for way in ways:
+            self.assertEqual(way(light), light)
+            for settings in [frame] + [cls() for cls in CLASSES]:
+                with self.subTest(type(settings).__name__):
+                    other = way(settings)
+                    self.assertIs(type(other), type(settings))
+                    self.assertEqual(other, settings)
+                    self.assertIsNot(other, settings)
+            other = way(frame)
+            other.guides.skin = 0.5
+            other.lights = []
+            self.assertAlmostEqual(frame.guides.skin, 0.0123)
+            self.assertEqual(frame.lights, (light,))
 
     def test_what_is_no_field_or_value_is_refused(self):
         with self.assertRaisesRegex(TypeError, "no field 'gravty'; there are linear_density, "):

@@ -13,6 +13,12 @@ import libhair
 
 
 class Frames(unittest.TestCase):
+    def test_frames_are_counted_from_none(self):
+        simulation = small_simulation()
+        self.assertEqual(simulation.run(0), 0)
+        with self.assertRaisesRegex(libhair.Error, "frames: -5"):
+            simulation.run(-5)
+
     def test_bits_do_not_depend_on_threads(self):
         hashes = set()
         for threads in (1, 2, 5):
