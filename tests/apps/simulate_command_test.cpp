@@ -90,7 +90,7 @@ TEST(Simulate, AShorterRunSaysWhichFilesOfALongerOneAreLeft) {
   const TemporaryFolder folder;
   const std::string cache = (folder / "s.##.hair").string();
   const std::string scene =
-      "simulate --strands 100 --settle 0.05 --no-shadow --cache " + cache + " --frames ";
+      "simulate --strands 200 --settle 0.05 --no-shadow --cache " + cache + " --frames ";
   EXPECT_EQ(run(scene + "4").out.find("not of this run"), std::string::npos);
   const Outcome shorter = run(scene + "2");
   EXPECT_EQ(shorter.code, 0);
@@ -100,7 +100,8 @@ TEST(Simulate, AShorterRunSaysWhichFilesOfALongerOneAreLeft) {
       << shorter.out;
 }
 
-// Starts a run, sends it the signal once its second frame is there, and returns the shell's words.
+// Starts a run, sends it the signal once frames are there, and returns what it said and how it
+// ended.
 std::string interrupted(const TemporaryFolder& folder, const std::string& cache,
                         const char* signal) {
   const pid_t child = fork();
@@ -110,7 +111,7 @@ std::string interrupted(const TemporaryFolder& folder, const std::string& cache,
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
     const std::string command = std::string("exec ") + HAIR_PROGRAM +
-                                " simulate --strands 100 --settle 0.05 --no-shadow "
+                                " simulate --strands 200 --settle 0.05 --no-shadow "
                                 "--frames 1000000 --cache '" +
                                 frames + "' > " + out + " 2>&1";
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
@@ -125,9 +126,12 @@ std::string interrupted(const TemporaryFolder& folder, const std::string& cache,
     return bytes > 1000000;
   };
   int status = 0;
-  while (!begun() && waitpid(child, &status, WNOHANG) == 0) usleep(10000);
-  kill(child, std::string(signal) == "INT" ? SIGINT : SIGTERM);
-  waitpid(child, &status, 0);
+  pid_t ended = 0;
+  while (!begun() && (ended = waitpid(child, &status, WNOHANG)) == 0) usleep(10000);
+  if (ended == 0) {
+    kill(child, std::string(signal) == "INT" ? SIGINT : SIGTERM);
+    waitpid(child, &status, 0);
+  }
   std::ifstream in(out);
   const std::string said(std::istreambuf_iterator<char>(in), {});
   return text(said, "\nsignal ", WIFSIGNALED(status) ? WTERMSIG(status) : 0, '\n');
