@@ -1,7 +1,12 @@
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <optional>
+#include <set>
 
 #include <apps/hair/commands.h>
+#include <apps/hair/interruption.h>
+#include <apps/hair/sequence_notes.h>
 #include <libhair/core/error.h>
 #include <libhair/files/strand_sequence.h>
 #include <libhair/model/resample.h>
@@ -42,11 +47,62 @@ std::string unitsOf(const WriteOptions& write) {
   return text(write.scale, " m per unit, ", upAxisMeaning(up));
 }
 
-void printLoss(const ConvertOptions& options, const StrandFile& file) {
-  if (const std::string lost = lossOf(options.out, file); !lost.empty())
-    std::cout << options.out.extension().string() << " has no room for: " << lost << '\n';
-  if (file.format == "tfx")
-    std::cout << "not carried over: strand UV, and held points other than roots\n";
+// Each line once, however many frames lose the same.
+class Losses {
+ public:
+  explicit Losses(const ConvertOptions& options) : out_(options.out) {}
+  void print(const StrandFile& file) {
+    if (const std::string lost = lossOf(out_, file); !lost.empty())
+      print(text(out_.extension().string(), " has no room for: ", lost, '\n'));
+    if (file.format == "tfx")
+      print("not carried over: strand UV, and held points other than roots\n");
+  }
+
+ private:
+  void print(const std::string& line) {
+    if (said_.insert(line).second) std::cout << line;
+  }
+
+  const std::filesystem::path& out_;
+  std::set<std::string> said_;
+};
+
+// Time codes of the frames [begin, end) as OUT can hold them, and what there is to say about them.
+struct Times {
+  std::vector<double> codes;
+  double perSecond = SequenceOptions{}.fps;
+  std::string said;
+};
+
+Times timesOf(const StrandSequenceReader& in, const ConvertOptions& options, std::size_t begin,
+              std::size_t end) {
+  Times times;
+  bool whole = true, even = true;
+  for (std::size_t f = begin; f < end; ++f) {
+    const double code = in.timeCode(f);
+    whole = whole && code == std::floor(code);
+    times.codes.push_back(code);
+    const std::size_t n = times.codes.size();
+    // Within what decimal fractions lose as binary ones.
+    even = even && (n < 3 || std::abs(code - times.codes[n - 2] - times.codes[1] +
+                                      times.codes[0]) <= 1e-9 * std::max(1.0, std::abs(code)));
+  }
+  const bool numbered = isNumbered(options.out), stated = in.codesPerSecond() > 0;
+  if (stated) times.perSecond = in.codesPerSecond();
+  if (numbered && !whole) {
+    // The number of a file is whole: only the order of frames is left of such times.
+    for (std::size_t k = 0; k < times.codes.size(); ++k)
+      times.codes[k] = std::floor(times.codes[0]) + static_cast<double>(k);
+    times.said = "times are not whole: files are numbered one after another; ";
+  } else if (!even) {
+    times.said = "times are uneven, and kept; ";
+  }
+  if (numbered && stated)
+    times.said += text("numbered files do not state the rate: ", times.perSecond, " a second");
+  else if (!numbered && !stated)
+    times.said += text("the rate is not stated: taken as ", times.perSecond, " a second");
+  if (times.said.ends_with("; ")) times.said.resize(times.said.size() - 2);
+  return times;
 }
 
 }  // namespace
@@ -70,24 +126,33 @@ void runConvert(const ConvertOptions& options) {
   const ResamplePlan plan = planOf(options, file);
   const std::vector<std::uint32_t> first = file.strands.first;
   apply(plan, file);
-  printLoss(options, file);
+  Losses losses(options);
+  losses.print(file);
 
   if (!moving) {
     writeStrands(options.out, file, options.write);
   } else {
-    SequenceOptions sequence{.write = options.write};
-    if (const double seconds = in.seconds(frames - 1) - in.seconds(0); seconds > 0)
-      sequence.fps = std::round(1000 * static_cast<double>(frames - 1) / seconds) / 1000;
-    StrandSequenceWriter out(options.out, sequence);
-    out.add(file);
-    for (std::size_t f = begin + 1; f < end; ++f) {
-      in.read(f, file);
-      require(file.strands.first == first, options.in.string(), ": frame ", f,
-              " has other strands than frame ", begin, "; convert one at a time (--frame)");
-      apply(plan, file);
-      out.add(file);
+    const Times times = timesOf(in, options, begin, end);
+    if (!times.said.empty()) std::cout << times.said << '\n';
+    const Interruption interruption;
+    std::optional<StrandSequenceWriter> out(
+        std::in_place, options.out,
+        SequenceOptions{.write = options.write, .fps = times.perSecond});
+    for (std::size_t f = begin; f < end; ++f) {
+      if (f > begin) {
+        in.read(f, file);
+        require(file.strands.first == first, options.in.string(), ": frame ", f,
+                " has other strands than frame ", begin, "; convert one at a time (--frame)");
+        apply(plan, file);
+        losses.print(file);
+      }
+      out->addAt(times.codes[f - begin], file);
+      if (!interruption.asked()) continue;
+      out.reset();  // half of a file is not what was asked for
+      interruption.end();
     }
-    out.close();
+    out->close();
+    printNotes(options.out, *out);
   }
   std::cout << options.out.string() << ": " << plan.first.size() - 1 << " strands, "
             << plan.samples.size() << " points; " << unitsOf(options.write);

@@ -4,6 +4,8 @@
 
 #include <apps/common/progress.h>
 #include <apps/hair/commands.h>
+#include <apps/hair/interruption.h>
+#include <apps/hair/sequence_notes.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>
@@ -16,7 +18,7 @@ namespace {
 
 // strands.hair -> strands.####.hair: a file a frame where one cannot hold them all.
 std::filesystem::path sequenceName(const std::filesystem::path& file) {
-  if (holdsSequence(file)) return file;
+  if (file.empty() || holdsSequence(file)) return file;
   std::filesystem::path out = file;
   return out.replace_extension("####" + file.extension().string());
 }
@@ -43,23 +45,39 @@ void runSimulate(const SimulateOptions& options) {
   Performance performance(subject, performing);
   performance.settings.shade = performing.shadow;
   if (!options.loadState.empty()) load(options.loadState, performance);
+  const Interruption interruption;
+  const std::filesystem::path cacheName = sequenceName(options.cache);
   std::optional<StrandSequenceWriter> cache;
   if (!options.cache.empty())
-    cache.emplace(sequenceName(options.cache), SequenceOptions{.fps = options.performance.fps});
+    cache.emplace(cacheName, SequenceOptions{.fps = options.performance.fps});
   StatsLog stats;
   Progress progress("simulate", options.frames);
-  for (int f = 0; f < options.frames; ++f) {
+  int frame = 0;
+  for (; frame < options.frames && !interruption.asked(); ++frame) {
     performance.step();
     if (!options.results.stats.empty()) stats.add(performance);
     if (cache) cache->add(performance.hair.strands());
     progress.step();
   }
   progress.finish();
-  if (cache) cache->close();
+  // What is done is worth as much as a shorter run: it is written, and the program ends then.
+  if (interruption.asked()) {
+    std::cerr << "interrupted after " << frame << " of " << options.frames
+              << " frames: what is written ends there\n";
+    if (frame == 0) {
+      cache.reset();
+      interruption.end();
+    }
+  }
+  if (cache) {
+    cache->close();
+    printNotes(cacheName, *cache);
+  }
   if (!options.saveState.empty())
     writeAtomically(options.saveState,
                     [&](std::ostream& out) { saveState(performance.hair, out); });
   writeResults(options.results, performance, performance.log, stats);
+  if (interruption.asked()) interruption.end();
 }
 
 }  // namespace hair

@@ -1,6 +1,8 @@
 #include <libhair/files/ply_file.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include <libhair/files/byte_reader.h>
@@ -15,6 +17,32 @@ namespace {
 
 using Type = PlyHeader::Type;
 using Element = PlyHeader::Element;
+
+// Least and largest number of an integer type; of floats no bounds.
+std::array<double, 2> rangeOf(Type type) {
+  const auto of = [](auto kind) {
+    using Limits = std::numeric_limits<decltype(kind)>;
+    return std::array{static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max())};
+  };
+  switch (type) {
+    case Type::Int8:
+      return of(std::int8_t{});
+    case Type::Uint8:
+      return of(std::uint8_t{});
+    case Type::Int16:
+      return of(std::int16_t{});
+    case Type::Uint16:
+      return of(std::uint16_t{});
+    case Type::Int32:
+      return of(std::int32_t{});
+    case Type::Uint32:
+      return of(std::uint32_t{});
+    case Type::Float32:
+    case Type::Float64:
+      break;
+  }
+  return {-INFINITY, INFINITY};
+}
 
 // Numbers as binary files hold them.
 class BinaryNumbers {
@@ -74,7 +102,12 @@ class TextNumbers {
     in_.expect(!word.empty(), what, ": a number is missing at the end of the line");
     if (type == Type::Float32) return static_cast<double>(in_.toNumber(word, what));
     if (type == Type::Float64) return in_.toDouble(word, what);
-    return static_cast<double>(in_.toInteger(word, what));
+    const auto number = static_cast<double>(in_.toInteger(word, what));
+    const auto [least, most] = rangeOf(type);
+    in_.expect(number >= least && number <= most, what, ": ", word, " is not in ",
+               static_cast<long long>(least), " to ", static_cast<long long>(most),
+               ", as its type asks");
+    return number;
   }
   void expectItems(double, Type, std::string_view) const {}  // each is a word, or an error
   template <class... Parts>
@@ -140,8 +173,13 @@ void readVertices(Numbers& in, const Element& element, Mesh& mesh) {
       return static_cast<float>(value);
     };
     const auto channel = [&](int p) {
-      const bool byte = element.properties[static_cast<std::size_t>(p)].type == Type::Uint8;
-      return byte ? number(p) / 255 : number(p);
+      // Of an integer type the largest number is full light.
+      const PlyHeader::Property& property = element.properties[static_cast<std::size_t>(p)];
+      const double full = rangeOf(property.type)[1];
+      if (!std::isfinite(full)) return number(p);
+      in.expect(number(p) >= 0, "vertex ", mesh.positions.size(), ": ", property.name, " is ",
+                number(p), ", below 0");
+      return static_cast<float>(values[static_cast<std::size_t>(p)] / full);
     };
     const glm::vec3 position(number(xyz[0]), number(xyz[1]), number(xyz[2]));
     if (coloured) mesh.colours.emplace_back(channel(rgb[0]), channel(rgb[1]), channel(rgb[2]));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -54,8 +55,12 @@ std::map<long long, fs::path> numberedFiles(const fs::path& pattern) {
     if (wrong == std::errc() && stop == end && numberedFile(pattern, number).filename() == other)
       files[number] = folder / other;
   }
-  require(!files.empty(), pattern.string(), ": there are no files of that name with a number");
   return files;
+}
+
+// Whether a time code can be the number of a file.
+bool isNumber(double timeCode) {
+  return timeCode == std::floor(timeCode) && std::abs(timeCode) < 1e15;
 }
 
 // A stream that has to be opened, and has to be good in the end.
@@ -64,15 +69,20 @@ void expectGood(const std::ios& stream, const fs::path& file) {
           ": cannot write: ", errno != 0 ? std::strerror(errno) : "unknown cause");
 }
 
+// Hidden, beside the file that is meant, and of no name that somebody else may have given.
+fs::path scratchName(const fs::path& file, const PendingFile& whole) {
+  return fs::path(file).replace_filename(whole.path().stem() += ".extent");
+}
+
 // One .usda file with a time sample a frame. The samples of points go straight into it, those of
 // extent, which come after all of them, into a second file in the meantime.
 class UsdaSequence {
  public:
   UsdaSequence(const fs::path& file, const SequenceOptions& options)
       : file_(file),
-        times_{options.firstFrame, options.firstFrame, options.fps},
+        times_{.perSecond = options.fps},
         whole_(file),
-        extents_(fs::path(file).replace_extension(".extent")) {
+        extents_(scratchName(file, whole_)) {
     errno = 0;
     out_.open(whole_.path(), std::ios::binary);
     expectGood(out_, file_);
@@ -80,17 +90,31 @@ class UsdaSequence {
     expectGood(extentOut_, file_);
   }
 
-  void add(const StrandFile& frame) {
-    if (frames_ == 0)
+  void addAt(double timeCode, const StrandFile& frame) {
+    times_.last = timeCode;
+    if (!writer_) {
       begin(frame);
-    else
-      require(frame.strands.first == first_, file_.string(), ": frame ", frames_,
+    } else {
+      require(frame.strands.first == still_.strands.first, file_.string(), ": the frame at ",
+              timeCodeText(timeCode),
               " has other strands than the first; write numbered files (shot.####.hair)");
-    times_.last = times_.first + frames_++;
+      compareWithFirst(frame);
+    }
     writeSample(*writer_, frame.strands.points, false);
     writeSample(*extentWriter_, frame.strands.points, true);
     expectGood(out_, file_);
     expectGood(extentOut_, file_);
+  }
+
+  std::string keptAsFirst() const {
+    std::string names;
+    const auto add = [&](bool moves, std::string_view name) {
+      if (moves) names += (names.empty() ? "" : ", ") + std::string(name);
+    };
+    add(thicknessMoves_, "thickness");
+    add(transparencyMoves_, "transparency");
+    add(coloursMove_, "colours");
+    return names;
   }
 
   void close() {
@@ -103,7 +127,7 @@ class UsdaSequence {
     out_ << std::ifstream(extents_.path(), std::ios::binary).rdbuf();
     out_ << "    }\n" << usdaEnd();
     out_.seekp(0);
-    out_ << usdaHeader(scale_, up_, times_);
+    out_ << usdaHeader(still_.scale, still_.up, times_);
     out_.close();
     expectGood(out_, file_);
     whole_.commit();
@@ -111,19 +135,29 @@ class UsdaSequence {
 
  private:
   void begin(const StrandFile& frame) {
-    first_ = frame.strands.first;
-    scale_ = frame.scale;
-    up_ = frame.up;
+    still_ = frame;
+    still_.strands.points = {};
+    times_.first = times_.last;
     widest_ = widestOf(frame);
     writer_.emplace(out_);
     extentWriter_.emplace(extentOut_);
-    *writer_ << usdaHeader(scale_, up_, times_);
+    *writer_ << usdaHeader(still_.scale, still_.up, times_);
     writeUsdaStill(*writer_, frame);
     *writer_ << "    point3f[] points.timeSamples = {\n";
   }
 
+  void compareWithFirst(const StrandFile& frame) {
+    const StrandFile& first = still_;
+    thicknessMoves_ = thicknessMoves_ || frame.thickness != first.thickness ||
+                      frame.defaultThickness != first.defaultThickness;
+    transparencyMoves_ = transparencyMoves_ || frame.transparency != first.transparency ||
+                         frame.defaultTransparency != first.defaultTransparency;
+    coloursMove_ = coloursMove_ || frame.colours != first.colours ||
+                   frame.defaultColour != first.defaultColour;
+  }
+
   void writeSample(TextWriter& out, std::span<const glm::vec3> points, bool extent) {
-    out << "        " << times_.last << ": ";
+    out << "        " << timeCodeText(times_.last) << ": ";
     if (extent)
       writeUsdaExtent(out, points, widest_);
     else
@@ -136,10 +170,9 @@ class UsdaSequence {
   PendingFile whole_, extents_;
   std::ofstream out_, extentOut_;
   std::optional<TextWriter> writer_, extentWriter_;
-  std::vector<std::uint32_t> first_;  // of all frames
-  float scale_ = 1, widest_ = 0;
-  UpAxis up_ = UpAxis::Y;
-  long long frames_ = 0;
+  StrandFile still_;  // what all frames have of the first: all but its points
+  float widest_ = 0;
+  bool thicknessMoves_ = false, transparencyMoves_ = false, coloursMove_ = false;
 };
 
 }  // namespace
@@ -169,12 +202,14 @@ struct StrandSequenceWriter::State {
   SequenceOptions options;
   const StrandFormat& format;
   std::optional<UsdaSequence> usda;
-  long long frames = 0;
-  StrandFile scratch, points;  // used again by every frame
+  std::optional<double> last;      // time code
+  std::vector<long long> numbers;  // of files that are written
+  std::string kept;                // of the .usda file that is closed
+  StrandFile scratch, points;      // used again by every frame
 };
 
 StrandSequenceWriter::StrandSequenceWriter(const fs::path& file, const SequenceOptions& options)
-    : state_(new State{file, options, formatOf(file), {}, 0, {}, {}}) {
+    : state_(new State{file, options, formatOf(file), {}, {}, {}, {}, {}, {}}) {
   require(std::isfinite(options.fps) && options.fps > 0, file.string(), ": ", options.fps,
           " frames a second: must be above zero");
   if (isNumbered(file)) return;
@@ -185,13 +220,26 @@ StrandSequenceWriter::StrandSequenceWriter(const fs::path& file, const SequenceO
 
 StrandSequenceWriter::~StrandSequenceWriter() = default;
 
-void StrandSequenceWriter::add(const StrandFile& frame) {
+void StrandSequenceWriter::addAt(double timeCode, const StrandFile& frame) {
   State& s = *state_;
-  if (s.usda)
-    s.usda->add(prepared(s.format, s.options.write, s.file.string(), frame, s.scratch));
-  else
-    writeStrands(numberedFile(s.file, s.options.firstFrame + s.frames), frame, s.options.write);
-  ++s.frames;
+  require(std::isfinite(timeCode) && (!s.last || timeCode > *s.last), s.file.string(),
+          ": a frame at the time code ", timeCodeText(timeCode), " after one at ",
+          timeCodeText(s.last.value_or(timeCode)), ": they must rise");
+  if (s.usda) {
+    s.usda->addAt(timeCode, prepared(s.format, s.options.write, s.file.string(), frame, s.scratch));
+  } else {
+    require(isNumber(timeCode), s.file.string(), ": a frame at the time code ",
+            timeCodeText(timeCode), ": the number of a file is whole; write .usda");
+    const auto number = static_cast<long long>(timeCode);
+    writeStrands(numberedFile(s.file, number), frame, s.options.write);
+    s.numbers.push_back(number);
+  }
+  s.last = timeCode;
+}
+
+void StrandSequenceWriter::add(const StrandFile& frame) {
+  const State& s = *state_;
+  addAt(s.last ? *s.last + 1 : static_cast<double>(s.options.firstFrame), frame);
 }
 
 void StrandSequenceWriter::add(StrandView frame) {
@@ -202,15 +250,33 @@ void StrandSequenceWriter::add(StrandView frame) {
 }
 
 void StrandSequenceWriter::close() {
-  require(state_->frames > 0, state_->file.string(), ": a sequence without frames");
-  if (state_->usda) state_->usda->close();
-  state_->usda.reset();
+  State& s = *state_;
+  require(s.last.has_value(), s.file.string(), ": a sequence without frames");
+  if (s.usda) {
+    s.kept = s.usda->keptAsFirst();
+    s.usda->close();
+  }
+  s.usda.reset();
+}
+
+std::string StrandSequenceWriter::keptAsFirst() const {
+  return state_->usda ? state_->usda->keptAsFirst() : state_->kept;
+}
+
+std::vector<fs::path> StrandSequenceWriter::otherFrames() const {
+  std::vector<fs::path> others;
+  if (!isNumbered(state_->file)) return others;
+  for (const auto& [number, path] : numberedFiles(state_->file))
+    if (!std::binary_search(state_->numbers.begin(), state_->numbers.end(), number))
+      others.push_back(path);
+  return others;
 }
 
 struct StrandSequenceReader::State {
   fs::path file;
   ReadOptions options;
-  std::vector<fs::path> files;  // a frame each; or none
+  std::vector<fs::path> files;     // a frame each; or none
+  std::vector<long long> numbers;  // theirs, or none
   std::ifstream stream;
   std::optional<UsdaReader> usda;
 };
@@ -221,7 +287,12 @@ StrandSequenceReader::StrandSequenceReader(const fs::path& file, const ReadOptio
   state_->options = options;
   const StrandFormat& format = formatOf(file);
   if (isNumbered(file)) {
-    for (const auto& [number, path] : numberedFiles(file)) state_->files.push_back(path);
+    for (const auto& [number, path] : numberedFiles(file)) {
+      state_->files.push_back(path);
+      state_->numbers.push_back(number);
+    }
+    require(!state_->files.empty(), file.string(),
+            ": there are no files of that name with a number");
   } else if (format.name == "usda") {
     state_->stream = openFile(file);
     state_->usda.emplace(state_->stream, file.string());
@@ -234,6 +305,16 @@ StrandSequenceReader::~StrandSequenceReader() = default;
 
 std::size_t StrandSequenceReader::frameCount() const {
   return state_->usda ? state_->usda->frameCount() : state_->files.size();
+}
+
+double StrandSequenceReader::timeCode(std::size_t frame) const {
+  const State& s = *state_;
+  if (s.usda) return s.usda->timeCode(frame);
+  return s.numbers.empty() ? 0 : static_cast<double>(s.numbers[frame]);
+}
+
+double StrandSequenceReader::codesPerSecond() const {
+  return state_->usda ? state_->usda->codesPerSecond() : 0;
 }
 
 double StrandSequenceReader::seconds(std::size_t frame) const {

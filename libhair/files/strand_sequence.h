@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <libhair/core/api.h>
 #include <libhair/files/strand_file.h>
@@ -23,8 +25,8 @@ std::filesystem::path numberedFile(const std::filesystem::path& pattern, long lo
 
 /// How a sequence is written.
 struct SequenceOptions {
-  WriteOptions write{};      ///< units and axes of the file
-  double fps = 60;           ///< frames a second; .usda states it
+  WriteOptions write{};  ///< units and axes of the file
+  double fps = 60;       ///< time codes a second: frames, unless `addAt` says otherwise; in .usda
   long long firstFrame = 0;  ///< number, or time code, of the first frame
 };
 
@@ -45,8 +47,18 @@ class StrandSequenceWriter {
   void add(const StrandFile& frame);
   /// The same with points alone.
   void add(StrandView frame);
+  /// A frame at a time code of its own, later than that of the frame before it; a numbered file's
+  /// is its number, and whole. `add` goes on from there. Throws Error.
+  void addAt(double timeCode, const StrandFile& frame);
   /// After the last frame; none is an Error. Throws Error.
   void close();
+
+  /// What changed from frame to frame but is kept as in the first: "thickness, colours"; empty:
+  /// nothing. Numbered files hold their own.
+  std::string keptAsFirst() const;
+  /// Numbered files of this name that are there and not of this writer, of an earlier run that was
+  /// longer: whoever reads the sequence takes them for frames of it. In the order of their numbers.
+  std::vector<std::filesystem::path> otherFrames() const;
 
  private:
   struct State;
@@ -66,6 +78,11 @@ class StrandSequenceReader {
 
   /// At least 1.
   std::size_t frameCount() const;
+  /// Of a frame: the time code that a .usda file states, the number of a numbered file, or 0.
+  /// Always rising, not always evenly.
+  double timeCode(std::size_t frame) const;
+  /// What a .usda file that moves says; 0 in others, which do not say.
+  double codesPerSecond() const;
   /// When a frame is, seconds: what a .usda file says; 0 in numbered files, which do not say.
   double seconds(std::size_t frame) const;
   /// Replaces `strands`, whose memory is used again. Throws Error.

@@ -81,7 +81,7 @@ void UsdaReader::readLayerMetadata() {
     } else if (key == "timeCodesPerSecond" || key == "framesPerSecond") {
       const double rate = in_.real(key);
       in_.expect(rate > 0, key, " of ", rate);
-      (key == "framesPerSecond" ? framesPerSecond_ : codesPerSecond_) = rate;
+      (key == "framesPerSecond" ? statedFrames_ : statedCodes_) = rate;
     } else {
       return false;
     }
@@ -202,21 +202,36 @@ void UsdaReader::checkCurves() {
              TextReader::shown(wrap_), "'; strands have a root and a tip");
   in_.expect(!counts_.samples.empty(), "BasisCurves ", shown, " has no curveVertexCounts");
   in_.expect(!points_.samples.empty(), "BasisCurves ", shown, " has no points");
-  for (Attribute* a : {&counts_, &points_, &widths_, &colours_, &opacity_})
-    std::stable_sort(a->samples.begin(), a->samples.end(),
+  for (Attribute* a : {&counts_, &points_, &widths_, &colours_, &opacity_}) {
+    std::vector<Sample>& samples = a->samples;
+    std::stable_sort(samples.begin(), samples.end(),
                      [](const Sample& x, const Sample& y) { return x.time < y.time; });
+    // Of two samples of one time the later counts, as in a dictionary.
+    std::size_t kept = 0;
+    for (const Sample& sample : samples) {
+      if (kept > 0 && samples[kept - 1].time == sample.time) --kept;
+      samples[kept++] = sample;
+    }
+    samples.erase(samples.begin() + static_cast<std::ptrdiff_t>(kept), samples.end());
+  }
 }
 
 std::size_t UsdaReader::frameCount() const {
   return points_.samples.size();
 }
 
-double UsdaReader::seconds(std::size_t frame) const {
+double UsdaReader::timeCode(std::size_t frame) const {
+  return points_.animated ? points_.samples[frame].time : 0;
+}
+
+double UsdaReader::codesPerSecond() const {
   if (!points_.animated) return 0;
-  const double rate = codesPerSecond_ > 0    ? codesPerSecond_
-                      : framesPerSecond_ > 0 ? framesPerSecond_
-                                             : 24;  // USD's fallback
-  return (points_.samples[frame].time - start_) / rate;
+  if (statedCodes_ > 0) return statedCodes_;
+  return statedFrames_ > 0 ? statedFrames_ : 24;  // USD's fallback
+}
+
+double UsdaReader::seconds(std::size_t frame) const {
+  return points_.animated ? (timeCode(frame) - start_) / codesPerSecond() : 0;
 }
 
 // To the last sample up to that time, or else the first.

@@ -44,6 +44,10 @@ class UsdaReader {
   std::size_t frameCount() const;
   /// Of a frame, seconds from startTimeCode.
   double seconds(std::size_t frame) const;
+  /// Of a frame; 0 where points are not animated.
+  double timeCode(std::size_t frame) const;
+  /// 0 where points are not animated.
+  double codesPerSecond() const;
   /// In the file's units; `scale` and `up` are what the file states. Other animated arrays are held
   /// from sample to sample.
   void read(std::size_t frame, StrandFile& out);
@@ -88,7 +92,7 @@ class UsdaReader {
   std::string curvesName_;                             // empty: none so far
   float metersPerUnit_ = 0.01f;
   UpAxis up_ = UpAxis::Y;
-  double start_ = 0, codesPerSecond_ = 0, framesPerSecond_ = 0;
+  double start_ = 0, statedCodes_ = 0, statedFrames_ = 0;  // a second; 0: not stated
 };
 
 /// One frame: readStrands takes the first.

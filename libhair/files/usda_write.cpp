@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 #include <libhair/core/error.h>
@@ -9,6 +10,8 @@
 namespace hair {
 
 namespace {
+
+constexpr std::size_t kLongestTimeCode = 24;  // -2.2250738585072014e-308
 
 std::string numberText(auto number) {
   std::array<char, 32> digits;
@@ -42,20 +45,27 @@ void writeAttribute(TextWriter& out, std::string_view typeAndName, const std::ve
 
 }  // namespace
 
+std::string timeCodeText(double time) {
+  constexpr double kWhole = 9007199254740992;  // 2^53: up to here each whole number is a double
+  if (time == std::floor(time) && std::abs(time) <= kWhole)
+    return numberText(static_cast<long long>(time));
+  return numberText(time);
+}
+
 std::string usdaHeader(float scale, UpAxis up, const std::optional<UsdaTimes>& times) {
   require(up == UpAxis::Y || up == UpAxis::ZBack, "writing .usda: ", upAxisMeaning(up),
           "; the format has +Y up (y) and +Z up, -Y face (z-back)");
   std::string text =
       "#usda 1.0\n(\n    defaultPrim = \"Hair\"\n    doc = \"Strands of hair, root to tip\"\n";
   if (times) {
-    std::string last = numberText(times->last);
-    last.resize(std::max<std::size_t>(last.size(), 20), ' ');
+    std::string last = timeCodeText(times->last);
+    last.resize(kLongestTimeCode, ' ');
     text += "    endTimeCode = " + last +
             "\n    framesPerSecond = " + numberText(times->perSecond) + '\n';
   }
   text += "    metersPerUnit = " + numberText(scale) + '\n';
   if (times)
-    text += "    startTimeCode = " + numberText(times->first) +
+    text += "    startTimeCode = " + timeCodeText(times->first) +
             "\n    timeCodesPerSecond = " + numberText(times->perSecond) + '\n';
   text += std::string("    upAxis = \"") + (up == UpAxis::Y ? 'Y' : 'Z') +
           "\"\n)\n\ndef BasisCurves \"Hair\"\n{\n    uniform token type = \"linear\"\n"

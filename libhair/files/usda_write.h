@@ -14,10 +14,13 @@ namespace hair {
 
 /// Of an animation.
 struct UsdaTimes {
-  long long first = 0, last = 0;  ///< time codes
-  double perSecond = 60;          ///< time codes, and frames
+  double first = 0, last = 0;  ///< time codes
+  double perSecond = 60;       ///< time codes, and frames
 };
 
+/// A time code: a whole number without an exponent, others with the fewest digits that give the
+/// same double again.
+std::string timeCodeText(double time);
 /// Layer metadata and the start of the prim. As long for one `last` as for another, so that it can
 /// be written again when the last frame is known. Throws Error where `up` is not Y or ZBack.
 std::string usdaHeader(float scale, UpAxis up, const std::optional<UsdaTimes>& times);

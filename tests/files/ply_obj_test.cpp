@@ -42,6 +42,39 @@ TEST(PlyFile, TextWithOtherElementsAndTypesIsRead) {
   EXPECT_EQ(file.thickness, (std::vector<float>{0.1f, 0.2f, 0.3f, 0.4f}));
 }
 
+TEST(PlyFile, OfAnIntegerColourTheLargestNumberOfItsTypeIsFullLight) {
+  const auto with = [](const std::string& type, const std::string& red) {
+    std::string bytes = samplePlyText();
+    bytes.replace(bytes.find("uchar red"), 5, type);
+    return bytes.replace(bytes.find("255"), 3, red);
+  };
+  for (const auto& [type, most] : {std::pair{"uchar", 255ll},
+                                   {"ushort", 65535ll},
+                                   {"uint", 4294967295ll},
+                                   {"char", 127ll},
+                                   {"short", 32767ll},
+                                   {"int", 2147483647ll}}) {
+    SCOPED_TRACE(type);
+    // The other vertices' 255 does not fit the smallest type.
+    const auto parse = [&, name = std::string(type)](long long red) {
+      std::string bytes = with(name, std::to_string(red));
+      while (name == "char" && bytes.find(" 255 ") != std::string::npos)
+        bytes.replace(bytes.find(" 255 "), 5, " 0 ");
+      return parsePly(bytes, "a.ply");
+    };
+    EXPECT_EQ(parse(most).colours[0].x, 1.0f);
+    EXPECT_EQ(parse(most / 5).colours[0].x,
+              static_cast<float>(static_cast<double>(most / 5) / static_cast<double>(most)));
+    EXPECT_NE(errorOf([&] { parse(most + 1); }).find("is not in"), std::string::npos);
+    const std::string below = errorOf([&] { parse(-1); });
+    EXPECT_NE(below.find(type[0] == 'u' ? "-1 is not in 0 to" : "is -1, below 0"),
+              std::string::npos)
+        << below;
+  }
+  // Floats are as they are.
+  EXPECT_EQ(parsePly(with("float", "300"), "a.ply").colours[0].x, 300.0f);
+}
+
 TEST(PlyFile, ErrorsNameFilePlaceAndCause) {
   const std::string good = samplePlyText();
   const auto error = [&](const char* from, const char* to) {

@@ -108,6 +108,97 @@ TEST(StrandSequence, WhatCannotBeWrittenOrReadIsAnError) {
   says(errorOf([&] { writer.add(anyStrands(1, {3, 3})); }), "has other strands than the first");
 }
 
+TEST(StrandSequence, TimeCodesOfTheirOwnComeBack) {
+  const TemporaryFolder folder;
+  const StrandFile strands = anyStrands(1, {2, 2});
+  const std::vector<double> whole = {-7, 0, 3, 100000}, any = {-7.25, 0.1, 1e-9 + 3, 1e17};
+  for (const auto& [name, times] :
+       {std::pair{"a.usda", any}, {"b.usda", whole}, {"c.##.hair", whole}}) {
+    SCOPED_TRACE(name);
+    StrandSequenceWriter writer(folder / name, {.fps = 23.976});
+    for (std::uint32_t f = 0; f < 4; ++f) writer.addAt(times[f], moved(strands, f));
+    EXPECT_NE(errorOf([&] { writer.addAt(times[3], strands); }).find("must rise"),
+              std::string::npos);
+    writer.close();
+    StrandSequenceReader reader(folder / name);
+    ASSERT_EQ(reader.frameCount(), 4u);
+    EXPECT_EQ(reader.codesPerSecond(), isNumbered(name) ? 0 : 23.976);
+    for (std::uint32_t f = 0; f < 4; ++f) {
+      EXPECT_EQ(reader.timeCode(f), times[f]);
+      StrandFile read;
+      reader.read(f, read);
+      EXPECT_TRUE(sameBits(read.strands.points, moved(strands, f).strands.points)) << f;
+    }
+  }
+  StrandSequenceWriter writer(folder / "d.#.hair");
+  EXPECT_NE(errorOf([&] { writer.addAt(0.5, strands); }).find("is whole"), std::string::npos);
+}
+
+TEST(StrandSequence, OfTwoSamplesOfOneTimeTheLaterCounts) {
+  const TemporaryFolder folder;
+  const std::string text = sampleUsda();
+  const std::string sample = "[(0, 0, 0), (0, 3, 1), (1, 0, 0), (1, 3, 1), (1, 0, 2)],\n";
+  const std::string twice =
+      std::string(text).insert(text.find("    }\n    string note"), "      1: " + sample);
+  StrandSequenceReader reader(folder.write("a.usda", twice), {.scale = 1, .up = UpAxis::Y});
+  EXPECT_EQ(reader.frameCount(), 2u);
+  StrandFile read;
+  reader.read(0, read);
+  EXPECT_EQ(read.strands.points[1], glm::vec3(0, 3, 1));
+}
+
+TEST(StrandSequence, TheWriterKnowsWhichArraysItKeptAsInTheFirstFrame) {
+  const TemporaryFolder folder;
+  const StrandFile strands = anyStrands(4, {2, 5, true});
+  const auto kept = [&](const char* name, auto&& change) {
+    StrandSequenceWriter writer(folder / name);
+    StrandFile later = strands;
+    change(later);
+    for (int f = 0; f < 4; ++f) writer.add(f == 2 ? later : strands);
+    const std::string before = writer.keptAsFirst();
+    writer.close();
+    EXPECT_EQ(writer.keptAsFirst(), before);
+    return before;
+  };
+  EXPECT_EQ(kept("a.usda", [](StrandFile& s) { s.strands.points[0].x += 1; }), "");
+  EXPECT_EQ(kept("a.usda", [](StrandFile& s) { s.thickness.back() *= 2; }), "thickness");
+  EXPECT_EQ(kept("a.usda", [](StrandFile& s) { s.transparency.clear(); }), "transparency");
+  EXPECT_EQ(kept("a.usda", [](StrandFile& s) { s.colours[0].y += 1, s.thickness[0] *= 2; }),
+            "thickness, colours");
+  EXPECT_EQ(kept("a.#.hair", [](StrandFile& s) { s.thickness.back() *= 2; }), "");
+}
+
+TEST(StrandSequence, TheWriterKnowsOfFilesOfAnEarlierLongerRun) {
+  const TemporaryFolder folder;
+  const StrandFile strands = anyStrands(1, {2, 2});
+  const fs::path name = folder / "a.##.hair";
+  const auto others = [&](int frames, long long first) {
+    StrandSequenceWriter writer(name, {.firstFrame = first});
+    for (int f = 0; f < frames; ++f) writer.add(strands);
+    writer.close();
+    return writer.otherFrames();
+  };
+  folder.write("a.hair", "");
+  folder.write("a.7.hair", "");
+  EXPECT_TRUE(others(4, 9).empty());
+  EXPECT_EQ(others(2, 10), (std::vector{folder / "a.09.hair", folder / "a.12.hair"}));
+  EXPECT_EQ(others(2, 9), (std::vector{folder / "a.11.hair", folder / "a.12.hair"}));
+  StrandSequenceWriter usda(folder / "a.usda");
+  usda.add(strands);
+  usda.close();
+  EXPECT_TRUE(usda.otherFrames().empty());
+}
+
+TEST(StrandSequence, WhatStandsBesideAShotIsLeftAlone) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "a.extent");
+  StrandSequenceWriter writer(folder / "a.usda");
+  writer.add(anyStrands(1, {2, 2}));
+  writer.close();
+  EXPECT_TRUE(fs::is_directory(folder / "a.extent"));
+  EXPECT_EQ(fileCount(folder.path()), 2u);
+}
+
 TEST(StrandSequence, AFileThatDoesNotMoveIsASequenceOfOne) {
   const TemporaryFolder folder;
   const StrandFile strands = anyStrands(2, {2, 5});
@@ -116,6 +207,8 @@ TEST(StrandSequence, AFileThatDoesNotMoveIsASequenceOfOne) {
     StrandSequenceReader reader(folder / name);
     EXPECT_EQ(reader.frameCount(), 1u);
     EXPECT_EQ(reader.seconds(0), 0);
+    EXPECT_EQ(reader.timeCode(0), 0);
+    EXPECT_EQ(reader.codesPerSecond(), 0);
     StrandFile read;
     reader.read(0, read);
     EXPECT_EQ(hashOf(read.strands.points), hashOf(strands.strands.points));
