@@ -17,8 +17,9 @@ int main(void) {
   hair_body body;
   hair_instance* hair;
   const hair_light sun = {HAIR_LIGHT_PARALLEL, {-0.5f, -1, -1}, {0, 0, 0}, {1, 1, 1}};
-  hair_view view = {sizeof view, 0, 0, 0, NULL, NULL, NULL, NULL, 0};
+  hair_view view;
 
+  view.size = sizeof view;
   hair_style_init(&style, sizeof style, HAIR_STYLE_CURLY);
   hair_body_init(&body, sizeof body);
   if (hair_create_from_style(&style, NULL, &body, &hair) != HAIR_OK) return failed();

@@ -38,6 +38,7 @@ from ._libhair import ShadowMapSettings as ShadowMapSettings
 from ._libhair import ShadowMethod as ShadowMethod
 from ._libhair import Simulation as Simulation
 from ._libhair import StrandFile as StrandFile
+from ._libhair import StrandSequenceWriter as StrandSequenceWriter
 from ._libhair import Strands as Strands
 from ._libhair import StyleSettings as StyleSettings
 from ._libhair import Transform as Transform
@@ -110,6 +111,7 @@ __all__ = [
     "ShadowMethod",
     "Simulation",
     "StrandFile",
+    "StrandSequenceWriter",
     "Strands",
     "StyleSettings",
     "Transform",

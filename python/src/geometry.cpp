@@ -38,6 +38,12 @@ RigidTransform transformOf(const py::sequence& rows) {
   if (!matrix) throw py::error_already_set();
   if (matrix.ndim() != 2 || matrix.shape(0) != 4 || matrix.shape(1) != 4)
     throw py::value_error("transform: a matrix of (4, 4) is wanted");
+  for (int c = 0; c < 4; ++c)
+    if (!(std::abs(matrix.at(3, c) - (c == 3 ? 1 : 0)) < 1e-6))
+      throw py::value_error(
+          "transform: the last row is not (0, 0, 0, 1); of a matrix with its move in that row, "
+          "give "
+          "matrix.T");
   glm::dmat3 turn;
   glm::dvec3 move;
   for (int r = 0; r < 3; ++r) {
@@ -46,8 +52,8 @@ RigidTransform transformOf(const py::sequence& rows) {
   }
   for (int c = 0; c < 3; ++c) {
     const double length = glm::length(turn[c]);
-    if (!(std::abs(length - 1) < 1e-3) ||
-        !(std::abs(glm::dot(turn[c], turn[(c + 1) % 3])) < 1e-3) || glm::determinant(turn) < 0)
+    if (glm::determinant(turn) < 0) throw py::value_error("transform: the matrix mirrors");
+    if (!(std::abs(length - 1) < 1e-3) || !(std::abs(glm::dot(turn[c], turn[(c + 1) % 3])) < 1e-3))
       throw py::value_error(text("transform: not only a turn and a move (column ", c,
                                  " has length ", length, "); take scale and shear out of it"));
   }

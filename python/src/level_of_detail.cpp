@@ -24,7 +24,7 @@ void bindDetail(py::module_& m) {
              if (!groom) throw py::type_error("groom: None, but a Groom is wanted");
              return withoutLock([&] { return std::make_shared<GroomDetail>(*groom); });
            }),
-           py::arg("groom"), "Reads each strand at rest once.")
+           py::arg("groom").none(false), "Reads each strand at rest once.")
       .def_property_readonly(
           "rank", [](const DetailPtr& d) { return perStrand(d, d->rank); },
           "(S,) float32, [0, 1): strands of a lower rank stay longer; a read-only view.")
@@ -64,8 +64,8 @@ void bindLevels(py::module_& m) {
         py::arg("picture_height"),
         "How high a head is, chin to crown, in a picture so many pixels high that sees the angle "
         "field_of_view (radians, bottom to top) from distance metres.");
-  m.def("level_for", &levelFor, py::arg("detail"), py::arg("pixels"), py::arg("importance") = 1.0f,
-        py::arg("settings") = DetailSettings{},
+  m.def("level_for", &levelFor, py::arg("detail").none(false), py::arg("pixels"),
+        py::arg("importance") = 1.0f, py::arg("settings").none(false) = DetailSettings{},
         R"(The LevelOfDetail at which hair on a head so many pixels high looks as all of it does.
 
 importance, (0, 1]: a head of importance 0.5 is drawn as one half as large.)");
@@ -74,7 +74,7 @@ importance, (0, 1]: a head of importance 0.5 is drawn as one half as large.)");
       [](const Groom& groom, const GroomDetail& detail, const LevelOfDetail& level) {
         return withoutLock([&] { return std::make_shared<Groom>(groomAt(groom, detail, level)); });
       },
-      py::arg("groom"), py::arg("detail"), py::arg("level"),
+      py::arg("groom").none(false), py::arg("detail").none(false), py::arg("level").none(false),
       "A Groom that has no more than the level draws: less memory, for a crowd or a file.");
 }
 

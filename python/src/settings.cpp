@@ -16,9 +16,14 @@ namespace {
 void bindLight(py::module_& m) {
   py::class_<Light>(m, "Light",
                     "A light: what casts shadows and what shading is told. It does not change.")
-      .def_static("parallel", &Light::parallel, py::arg("direction"),
-                  py::arg("colour") = glm::vec3(1),
-                  "At infinity, as the sun. direction: the way light travels. colour: linear RGB.")
+      .def_static(
+          "parallel",
+          [](glm::vec3 direction, glm::vec3 colour) {
+            makeLightSpace(direction);  // throws where it is no direction
+            return Light::parallel(direction, colour);
+          },
+          py::arg("direction"), py::arg("colour") = glm::vec3(1),
+          "At infinity, as the sun. direction: the way light travels. colour: linear RGB.")
       .def_static(
           "point", &Light::point, py::arg("position"), py::arg("colour") = glm::vec3(1),
           "At a point (metres), as a lamp. colour: linear RGB of what arrives at the pivot.")

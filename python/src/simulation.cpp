@@ -211,6 +211,11 @@ void Simulation::restoreState(const py::bytes& state) {
   if (body_.meshes.size() == hair_->meshes.size()) body_.meshes = hair_->meshes;
 }
 
+const DetailPtr& Simulation::detail() const {
+  requireIdle(busy_, "simulation");
+  return detail_;
+}
+
 const Hair& Simulation::idleHair() const {
   requireIdle(busy_, "simulation");
   return *hair_;

@@ -67,7 +67,7 @@ class Simulation {
 
   /// The hair itself; throws where a call is at work on it.
   const Hair& idleHair() const;
-  const DetailPtr& detail() const { return detail_; }
+  const DetailPtr& detail() const;
   std::string repr() const;
 
   FrameSettings settings;

@@ -1,8 +1,11 @@
 // Strands in NumPy arrays, and the files they come from.
 #include "strands.h"
 
+#include <optional>
+
 #include <libhair/core/error.h>
 #include <libhair/files/strand_file.h>
+#include <libhair/files/strand_sequence.h>
 #include <libhair/model/resample.h>
 
 #include "choices.h"
@@ -178,6 +181,74 @@ Error names file, place and cause.)");
       py::arg("path"), py::arg("strands"), "The same with the file's arrays.");
 }
 
+/// Frames of strands into one file or numbered ones; closed by hand or by `with`.
+class SequenceWriter {
+ public:
+  SequenceWriter(const std::filesystem::path& path, double fps, long long firstFrame)
+      : path_(path),
+        writer_(std::in_place, path, SequenceOptions{.fps = fps, .firstFrame = firstFrame}) {}
+
+  void add(const Strands& strands) {
+    const StrandView view = strands.view();
+    open();
+    const Busy busy(busy_, "sequence");
+    withoutLock([&] { writer_->add(view); });
+  }
+  void close() {
+    open();
+    const Busy busy(busy_, "sequence");
+    withoutLock([&] { writer_->close(); });
+    writer_.reset();
+  }
+  std::string repr() const {
+    return text("<StrandSequenceWriter ", path_, writer_ ? ">" : ", closed>");
+  }
+  void leave(bool failed) {
+    if (!writer_) return;
+    if (!failed) return close();
+    const Busy busy(busy_, "sequence");
+    writer_.reset();
+  }
+
+ private:
+  void open() const {
+    if (!writer_) throw py::value_error("the sequence is closed");
+  }
+
+  std::filesystem::path path_;
+  std::optional<StrandSequenceWriter> writer_;
+  bool busy_ = false;
+};
+
+void bindSequences(py::module_& m) {
+  py::class_<SequenceWriter>(
+      m, "StrandSequenceWriter",
+      R"(Writes moving strands, frame after frame, in the memory of one frame.
+
+path: shot.usda is one file with a time sample a frame, shot.####.hair a file a frame, in any format.
+first_frame: number or time code of the first; fps: time codes a second. One file appears under its
+name when it is closed: use it in a with statement, which leaves nothing behind where its body
+throws.)")
+      .def(py::init<const std::filesystem::path&, double, long long>(), py::arg("path"),
+           py::kw_only(), py::arg("fps") = SequenceOptions{}.fps,
+           py::arg("first_frame") = SequenceOptions{}.firstFrame,
+           "Error for a format that holds one frame only and a name without #.")
+      .def("add", &SequenceWriter::add, py::arg("strands").none(false),
+           "The next frame; in one file, strands of as many points as in the first.")
+      .def("__repr__", &SequenceWriter::repr, "Its file, and whether it is closed.")
+      .def("close", &SequenceWriter::close, "After the last frame; none is an Error.")
+      .def(
+          "__enter__", [](SequenceWriter& w) -> SequenceWriter& { return w; }, "Itself.",
+          py::return_value_policy::reference)
+      .def(
+          "__exit__",
+          [](SequenceWriter& w, const py::object& type, const py::object&, const py::object&) {
+            w.leave(!type.is_none());
+          },
+          py::arg("type"), py::arg("value"), py::arg("traceback"),
+          "Closes it, or leaves no file where the body threw.");
+}
+
 }  // namespace
 
 void bindStrands(py::module_& m) {
@@ -232,6 +303,7 @@ evenly along its length; 0: those it has.)")
         return text("<Strands: ", s.strandCount(), " strands, ", s.points.shape(0), " points>");
       });
   bindFiles(m);
+  bindSequences(m);
 }
 
 }  // namespace hair::python

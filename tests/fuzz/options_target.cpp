@@ -132,17 +132,6 @@ void runSimulate(const SimulateOptions& options) {
   promiseWithin(options.frames, 1, 10'000'000, "--frames");
 }
 
-void runLod(const LodOptions& options) {
-  promiseSubject(options.subject);
-  promisePerformance(options.performance);
-  promiseThreads(options.threads);
-  for (const float size : options.sizes) promiseWithin(size, 4.0f, 2000.0f, "--sizes");
-  promiseWithin(options.importance, 0.9e-3f, 1.0f, "--importance");
-  promiseWithin(options.detail.fade, 0.9e-3f, 1.0f, "--fade");
-  promiseWithin(options.detail.pixelsPerCell, 0.0f, 1e3f, "--pixels-per-cell");
-  promiseWithin(options.frames, 1, 1'000'000, "--frames");
-}
-
 void runRender(const RenderOptions& options) {
   promiseSubject(options.subject);
   promisePerformance(options.performance);

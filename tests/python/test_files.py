@@ -36,6 +36,26 @@ class Files(unittest.TestCase):
         self.assertEqual(again.default_thickness, file.default_thickness)
         self.assertEqual(again.thickness is None, file.thickness is None)
 
+    def test_moving_strands_go_into_one_file_or_many(self):
+        still = wavy()
+        frames = [still + numpy.float32(0.01) * f for f in range(3)]
+        for name in ("shot.usda", "shot.####.ply"):
+            with libhair.StrandSequenceWriter(self.folder / name, fps=24, first_frame=7) as writer:
+                for points in frames:
+                    writer.add(libhair.Strands(points))
+            with self.assertRaisesRegex(ValueError, "closed"):
+                writer.add(libhair.Strands(still))
+        last = libhair.read_strands(self.folder / "shot.0009.ply").strands.points
+        numpy.testing.assert_array_equal(last.reshape(frames[2].shape), frames[2])
+        self.assertIn("\n        9: [", self.folder.joinpath("shot.usda").read_text())
+        with self.assertRaisesRegex(ZeroDivisionError, "."):
+            with libhair.StrandSequenceWriter(self.folder / "none.usda") as writer:
+                writer.add(libhair.Strands(still))
+                1 / 0
+        self.assertEqual(len(list(self.folder.iterdir())), 4)
+        with self.assertRaisesRegex(libhair.Error, "one frame"):
+            libhair.StrandSequenceWriter(self.folder / "still.hair")
+
     def test_units_and_axes_are_converted(self):
         strands = libhair.Strands(wavy())
         libhair.write_strands(self.folder / "a.hair", strands)

@@ -24,11 +24,20 @@ class Transforms(unittest.TestCase):
         numpy.testing.assert_allclose(turn.apply(points), expected, atol=1e-6)
 
     def test_what_scales_is_refused(self):
-        for matrix in (numpy.diag([2, 2, 2, 1]), numpy.diag([1, 1, -1, 1]), numpy.zeros((4, 4))):
-            with self.assertRaisesRegex(ValueError, "not only a turn and a move"):
+        for matrix in (numpy.diag([2, 2, 2, 1]), numpy.diag([1, 1, -1, 1]), numpy.diag([0, 0, 0, 1])):
+            with self.assertRaisesRegex(ValueError, "not only a turn and a move|mirrors"):
                 libhair.Transform(matrix)
         with self.assertRaisesRegex(ValueError, r"\(4, 4\)"):
             libhair.Transform(numpy.eye(3))
+
+    def test_a_move_in_the_last_row_and_a_mirror_are_refused(self):
+        moved = numpy.eye(4)
+        moved[3, 0] = 1
+        with self.assertRaisesRegex(ValueError, "matrix.T"):
+            libhair.Transform(moved)
+        self.assertEqual(libhair.Transform(moved.T).translation, (1, 0, 0))
+        with self.assertRaisesRegex(ValueError, "mirrors"):
+            libhair.Transform(numpy.diag([1.0, 1, -1, 1]))
 
     def test_what_is_not_finite_is_refused(self):
         for bad in (float("nan"), float("inf")):
