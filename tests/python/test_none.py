@@ -1,8 +1,10 @@
 """None is refused, or means what it says, wherever it is given: it never ends the process."""
 
+import os
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 from hair_for_tests import LIGHT, head_field, small_groom, small_simulation, wavy
@@ -54,7 +56,9 @@ def samples():
     motion = libhair.Motion.still()
     some = [strands, points, truth, simulation, motion, motion.pose(0), LIGHT, head_field(),
             small_groom(), libhair.builtin_head(), libhair.ShadowMethod(libhair.DensityMapSettings()),
-            libhair.DensityMap(libhair.DensityMapSettings(), LIGHT), libhair.Transform()]
+            libhair.DensityMap(libhair.DensityMapSettings(), LIGHT), libhair.Transform(),
+            libhair.GroomDetail(small_groom()),
+            libhair.StrandSequenceWriter(os.path.join(tempfile.gettempdir(), "none.####.hair"))]
     some += [c() for c in vars(libhair).values() if isinstance(c, type) and hasattr(c, "_fields")]
     by_type = {type(s).__name__: s for s in some}
     by_type |= {"object": wavy(20).reshape(-1, 3), "float": 0.01, "int": 1, "str": "", "bytes": b"",
