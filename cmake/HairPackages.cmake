@@ -5,6 +5,7 @@
 #   development  libhair-dev        headers, archives, links, packages of CMake and pkg-config
 #   programs     hair-tools         the programs, models to try them on
 #   python       python3-libhair
+#   blender      libhair-blender    the add-on, as a file that Blender installs
 set(changelog "${PROJECT_SOURCE_DIR}/cmake/debian/changelog")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${changelog}")
 file(STRINGS "${changelog}" latest LIMIT_COUNT 1)
@@ -90,6 +91,9 @@ if(HAIR_BUILD_PYTHON)
 endif()
 debian_package(python python3-libhair python "hair simulated and shadowed on the CPU: Python"
   "${about}\n.\nThis package has the module of Python." DEPENDS ${python_needs})
+debian_package(blender libhair-blender graphics "hair simulated and shadowed on the CPU: Blender"
+  "${about}\n.\nThis package has an add-on for Blender 3.4, to be installed in its preferences."
+  DEPENDS "python3-libhair ${same}" RECOMMENDS blender)
 
 include(CPack)
 cpack_add_component(development GROUP development)

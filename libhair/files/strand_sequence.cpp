@@ -139,8 +139,8 @@ class UsdaSequence {
     still_.strands.points = {};
     times_.first = times_.last;
     widest_ = widestOf(frame);
-    writer_.emplace(out_);
-    extentWriter_.emplace(extentOut_);
+    writer_ = std::make_unique<TextWriter>(out_);
+    extentWriter_ = std::make_unique<TextWriter>(extentOut_);
     *writer_ << usdaHeader(still_.scale, still_.up, times_);
     writeUsdaStill(*writer_, frame);
     *writer_ << "    point3f[] points.timeSamples = {\n";
@@ -169,7 +169,7 @@ class UsdaSequence {
   UsdaTimes times_;
   PendingFile whole_, extents_;
   std::ofstream out_, extentOut_;
-  std::optional<TextWriter> writer_, extentWriter_;
+  std::unique_ptr<TextWriter> writer_, extentWriter_;
   StrandFile still_;  // what all frames have of the first: all but its points
   float widest_ = 0;
   bool thicknessMoves_ = false, transparencyMoves_ = false, coloursMove_ = false;
@@ -201,7 +201,7 @@ struct StrandSequenceWriter::State {
   fs::path file;
   SequenceOptions options;
   const StrandFormat& format;
-  std::optional<UsdaSequence> usda;
+  std::unique_ptr<UsdaSequence> usda;
   std::optional<double> last;      // time code
   std::vector<long long> numbers;  // of files that are written
   std::string kept;                // of the .usda file that is closed
@@ -215,7 +215,7 @@ StrandSequenceWriter::StrandSequenceWriter(const fs::path& file, const SequenceO
   if (isNumbered(file)) return;
   require(holdsSequence(file), file.string(), ": a .", state_->format.name,
           " file holds one frame; put #### where the number of each goes, or write .usda");
-  state_->usda.emplace(file, options);
+  state_->usda = std::make_unique<UsdaSequence>(file, options);
 }
 
 StrandSequenceWriter::~StrandSequenceWriter() = default;
@@ -278,7 +278,7 @@ struct StrandSequenceReader::State {
   std::vector<fs::path> files;     // a frame each; or none
   std::vector<long long> numbers;  // theirs, or none
   std::ifstream stream;
-  std::optional<UsdaReader> usda;
+  std::unique_ptr<UsdaReader> usda;
 };
 
 StrandSequenceReader::StrandSequenceReader(const fs::path& file, const ReadOptions& options)
@@ -295,7 +295,7 @@ StrandSequenceReader::StrandSequenceReader(const fs::path& file, const ReadOptio
             ": there are no files of that name with a number");
   } else if (format.name == "usda") {
     state_->stream = openFile(file);
-    state_->usda.emplace(state_->stream, file.string());
+    state_->usda = std::make_unique<UsdaReader>(state_->stream, file.string());
   } else {
     state_->files.push_back(file);
   }
