@@ -32,7 +32,10 @@ hair_status hair_map_init(hair_map* map, size_t size) {
 }
 
 hair_status hair_shadow_create(hair_shadow** out) {
-  return guarded([&] { given(out, "hair_shadow") = new hair_shadow; });
+  return guarded([&] {
+    hair_shadow*& to = given(out, "hair_shadow");  // before there is anything to lose
+    to = new hair_shadow;
+  });
 }
 
 void hair_shadow_destroy(hair_shadow* shadow) {

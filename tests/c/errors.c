@@ -5,7 +5,8 @@
 #include "check.h"
 
 static void null_pointers_are_refused(void) {
-  hair_instance* hair = small_hair();
+  hair_instance* const made = small_hair();
+  hair_instance* hair = made;
   hair_view view;
   uint64_t hash;
   size_t size;
@@ -32,6 +33,7 @@ static void null_pointers_are_refused(void) {
   REFUSED(hair_shadow_compute(NULL, NULL, NULL, NULL, NULL, NULL), "null");
   REFUSED(hair_shadow_sample(NULL, &value, 1, &value), "null");
   hair_do_task(NULL, 0);
+  hair_destroy(made);
 }
 
 /* Each is refused, and changes nothing. */
