@@ -2,13 +2,7 @@
 # it, and runs one in C++ and one in C.
 #
 # cmake -D BUILD=... -D EXAMPLES=... -D WORK=... -D NINJA=... -D C=... -D CXX=... -P own_project.cmake
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\n${output}")
-  endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/../install/run.cmake")
 
 file(REMOVE_RECURSE "${WORK}")
 foreach(component library development static hair_mesh hair_c)
