@@ -5,11 +5,11 @@
 #include <iostream>
 
 #include <libhair/core/parallel.h>
-#include <libhair/frame.h>
 #include <libhair/hair_mesh/mesh_groom.h>
 #include <libhair/hair_mesh/operations.h>
 #include <libhair/hair_mesh/styling.h>
 #include <libhair/model/head.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair {
 

@@ -6,8 +6,8 @@
 
 #include <benchmarks/guide_work.h>
 #include <libhair/core/strands.h>
+#include <libhair/light/light_space.h>
 #include <libhair/model/groom.h>
-#include <libhair/shadow/light_space.h>
 
 /// Other people's software at the same work. Each is built where it was found, and is null, or an
 /// empty function, where it was not.

@@ -1,8 +1,8 @@
 #include <benchmarks/shadow_pass.h>
 
-#include <libhair/shadow/deposit.h>
+#include <libhair/density/deposit.h>
+#include <libhair/light/light.h>
 #include <libhair/shadow/filter.h>
-#include <libhair/shadow/light.h>
 #include <libhair/shadow/transmittance.h>
 
 namespace hair::bench {

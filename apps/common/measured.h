@@ -1,7 +1,7 @@
 #pragma once
 
 #include <apps/common/performance.h>
-#include <libhair/measure/scene.h>
+#include <libhair/measure/motion/scene.h>
 
 namespace hair {
 

@@ -6,8 +6,8 @@
 #include <apps/common/subject.h>
 #include <libhair/core/error.h>
 #include <libhair/hair_mesh/hair_mesh_file.h>
-#include <libhair/hair_mesh/hair_mesh_script.h>
 #include <libhair/hair_mesh/mesh_groom.h>
+#include <libhair/hair_mesh/script/script.h>
 
 namespace hair {
 

@@ -4,8 +4,8 @@
 
 #include <apps/common/mesh_hair.h>
 #include <apps/draw/scene.h>
-#include <libhair/core/triangle_mesh.h>
-#include <libhair/frame.h>
+#include <libhair/geometry/triangle_mesh.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair {
 

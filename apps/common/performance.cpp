@@ -9,7 +9,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/state_hash.h>
 #include <libhair/guides/measure.h>
-#include <libhair/hair_state.h>
+#include <libhair/simulation/hair_state.h>
 
 namespace hair {
 

@@ -5,7 +5,7 @@
 
 #include <apps/common/subject.h>
 #include <libhair/core/profile.h>
-#include <libhair/frame.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair {
 

@@ -9,11 +9,11 @@
 
 #include <apps/common/mesh_hair.h>
 #include <libhair/files/strand_file.h>
-#include <libhair/frame.h>
-#include <libhair/model/body_mesh.h>
 #include <libhair/model/head.h>
 #include <libhair/model/styles.h>
+#include <libhair/motion/body_mesh.h>
 #include <libhair/motion/motion.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair {
 

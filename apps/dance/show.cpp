@@ -3,8 +3,8 @@
 #include <chrono>
 #include <cmath>
 
-#include <libhair/between_frames.h>
 #include <libhair/core/error.h>
+#include <libhair/simulation/scene_changes.h>
 
 namespace hair {
 

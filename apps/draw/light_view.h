@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/strands.h>
-#include <libhair/shadow/light.h>
+#include <libhair/light/light.h>
 
 namespace hair::draw {
 

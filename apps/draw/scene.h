@@ -8,9 +8,9 @@
 
 #include <apps/draw/camera.h>
 #include <libhair/core/strands.h>
-#include <libhair/core/triangle_mesh.h>
-#include <libhair/motion/colliders.h>
-#include <libhair/shadow/light.h>
+#include <libhair/geometry/colliders.h>
+#include <libhair/geometry/triangle_mesh.h>
+#include <libhair/light/light.h>
 
 namespace hair::draw {
 

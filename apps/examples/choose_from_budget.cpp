@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <vector>
 
-#include <libhair/measure/choose.h>
+#include <libhair/measure/shadow/choose.h>
 #include <libhair/model/styles.h>
 #include <libhair/wisps/wisps.h>
 

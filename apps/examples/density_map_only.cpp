@@ -10,8 +10,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <libhair/density/deposit.h>
 #include <libhair/model/styles.h>
-#include <libhair/shadow/deposit.h>
 #include <libhair/wisps/wisps.h>
 
 int main() {

@@ -9,9 +9,9 @@
 #include <cstdio>
 #include <vector>
 
-#include <libhair/frame.h>
 #include <libhair/guides/measure.h>
 #include <libhair/model/styles.h>
+#include <libhair/simulation/frame.h>
 
 namespace {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <libhair/core/parallel.h>
-#include <libhair/frame.h>
 #include <libhair/model/styles.h>
+#include <libhair/simulation/frame.h>
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <exception>
 
 #include <libhair/files/strand_sequence.h>
-#include <libhair/frame.h>
 #include <libhair/model/styles.h>
+#include <libhair/simulation/frame.h>
 
 int main(int argc, char** argv) try {
   if (argc != 2) {

@@ -13,7 +13,7 @@
 #include <apps/common/results.h>
 #include <apps/common/staging.h>
 #include <libhair/files/strand_file.h>
-#include <libhair/measure/simulation_trial.h>
+#include <libhair/measure/motion/simulation_trial.h>
 #include <libhair/model/level_of_detail.h>
 
 namespace hair {

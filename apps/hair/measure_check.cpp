@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include <libhair/core/error.h>
-#include <libhair/measure/candidates.h>
-#include <libhair/shadow/light_space.h>
+#include <libhair/light/light_space.h>
+#include <libhair/measure/shadow/candidates.h>
 
 namespace hair {
 

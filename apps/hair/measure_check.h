@@ -5,7 +5,7 @@
 #include <string>
 
 #include <apps/hair/commands.h>
-#include <libhair/measure/choose.h>
+#include <libhair/measure/shadow/choose.h>
 
 namespace hair {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <apps/hair/measure_report.h>
-#include <libhair/measure/choose.h>
+#include <libhair/measure/shadow/choose.h>
 
 namespace hair {
 

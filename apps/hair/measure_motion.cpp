@@ -8,7 +8,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>
-#include <libhair/measure/simulation_trial.h>
+#include <libhair/measure/motion/simulation_trial.h>
 
 namespace hair {
 

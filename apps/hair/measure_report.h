@@ -9,12 +9,12 @@
 
 #include <apps/hair/commands.h>
 #include <apps/hair/measured_hair.h>
-#include <libhair/measure/choose.h>
-#include <libhair/measure/flicker.h>
-#include <libhair/measure/shadow_trial.h>
-#include <libhair/measure/truth.h>
-#include <libhair/measure/visibility_ray.h>
-#include <libhair/shadow/light_space.h>
+#include <libhair/light/light_space.h>
+#include <libhair/measure/shadow/choose.h>
+#include <libhair/measure/shadow/flicker.h>
+#include <libhair/measure/shadow/shadow_trial.h>
+#include <libhair/measure/shadow/truth.h>
+#include <libhair/measure/shadow/visibility_ray.h>
 
 namespace hair {
 

@@ -5,8 +5,8 @@
 #include <apps/hair/info_rows.h>
 #include <libhair/core/error.h>
 #include <libhair/hair_mesh/hair_mesh_file.h>
-#include <libhair/hair_mesh/hair_mesh_script.h>
 #include <libhair/hair_mesh/interior_placement.h>
+#include <libhair/hair_mesh/script/script.h>
 
 namespace hair {
 

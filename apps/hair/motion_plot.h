@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <libhair/measure/simulation_trial.h>
+#include <libhair/measure/motion/simulation_trial.h>
 
 namespace hair {
 

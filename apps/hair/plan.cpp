@@ -5,7 +5,7 @@
 #include <apps/hair/commands.h>
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>
-#include <libhair/measure/feature_cost.h>
+#include <libhair/measure/motion/feature_cost.h>
 
 namespace hair {
 

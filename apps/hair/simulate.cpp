@@ -10,7 +10,7 @@
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>
 #include <libhair/files/strand_sequence.h>
-#include <libhair/hair_state.h>
+#include <libhair/simulation/hair_state.h>
 
 namespace hair {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <libhair/measure/shadow_trial.h>
+#include <libhair/measure/shadow/shadow_trial.h>
 
 namespace hair {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <libhair/c/hair.h>
-#include <libhair/frame.h>
 #include <libhair/model/styles.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair::c {
 

@@ -116,8 +116,8 @@ enum {
 enum { HAIR_FILTER_NONE = 0, HAIR_FILTER_PAPER, HAIR_FILTER_CENTRED, HAIR_FILTER_FOOTPRINT };
 
 /* How hair moves, is shadowed and looks. Switches are 0 or 1. The same fields, ranges and defaults
-   as FrameSettings (libhair/frame.h), where each is explained; those marked R shape the rest state,
-   and what they are when a hair is made is what it keeps. */
+   as FrameSettings (libhair/simulation/frame.h), where each is explained; those marked R shape the
+   rest state, and what they are when a hair is made is what it keeps. */
 typedef struct hair_settings {
   uint32_t size;
   float linear_density;    /* kg/m; R */

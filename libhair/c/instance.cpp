@@ -1,8 +1,8 @@
 #include <libhair/c/instance.h>
 
-#include <libhair/between_frames.h>
 #include <libhair/c/boundary.h>
 #include <libhair/guides/validate.h>
+#include <libhair/simulation/scene_changes.h>
 
 namespace hair::c {
 

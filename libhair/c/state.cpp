@@ -5,7 +5,7 @@
 
 #include <libhair/c/boundary.h>
 #include <libhair/c/instance.h>
-#include <libhair/hair_state.h>
+#include <libhair/simulation/hair_state.h>
 
 using namespace hair::c;
 using hair::require;

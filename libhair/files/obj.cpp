@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include <libhair/core/openmesh-inl.h>
 #include <libhair/files/byte_reader.h>
 #include <libhair/files/obj_words.h>
+#include <libhair/geometry/openmesh-inl.h>
 
 namespace hair {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include <libhair/core/api.h>
-#include <libhair/core/triangle_mesh.h>
+#include <libhair/geometry/triangle_mesh.h>
 
 namespace HAIR_API hair {
 

@@ -10,8 +10,8 @@
 #include <libhair/files/obj_strands.h>
 #include <libhair/files/ply_file.h>
 #include <libhair/files/tfx_file.h>
-#include <libhair/files/usda_file.h>
-#include <libhair/files/usda_write.h>
+#include <libhair/files/usda/usda_file.h>
+#include <libhair/files/usda/usda_write.h>
 
 namespace hair {
 

@@ -13,8 +13,8 @@
 #include <libhair/files/atomic_write.h>
 #include <libhair/files/byte_reader.h>
 #include <libhair/files/strand_formats.h>
-#include <libhair/files/usda_file.h>
-#include <libhair/files/usda_write.h>
+#include <libhair/files/usda/usda_file.h>
+#include <libhair/files/usda/usda_write.h>
 
 namespace hair {
 

@@ -7,8 +7,8 @@
 #endif
 
 #include <libhair/core/simd-inl.h>
+#include <libhair/geometry/mesh_sdf-inl.h>
 #include <libhair/guides/nearby-inl.h>
-#include <libhair/model/mesh_sdf-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {

@@ -6,8 +6,8 @@
 #include <libhair/core/api.h>
 #include <libhair/core/lanes.h>
 #include <libhair/core/transform.h>
+#include <libhair/geometry/colliders.h>
 #include <libhair/guides/scenery.h>
-#include <libhair/motion/colliders.h>
 
 namespace HAIR_API hair {
 

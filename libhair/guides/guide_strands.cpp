@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/geometry/mesh_sdf.h>
 #include <libhair/guides/validate.h>
-#include <libhair/model/mesh_sdf.h>
 
 namespace hair {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <libhair/geometry/mesh_sdf.h>
 #include <libhair/guides/contact.h>
-#include <libhair/model/mesh_sdf.h>
 
 namespace hair {
 

@@ -1,8 +1,8 @@
 #include <libhair/guides/scenery.h>
 
 #include <libhair/core/error.h>
-#include <libhair/model/mesh_sdf.h>
-#include <libhair/motion/rotations.h>
+#include <libhair/core/rotations.h>
+#include <libhair/geometry/mesh_sdf.h>
 
 namespace hair {
 

@@ -4,7 +4,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/strands.h>
-#include <libhair/motion/colliders.h>
+#include <libhair/geometry/colliders.h>
 
 namespace HAIR_API hair {
 

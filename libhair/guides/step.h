@@ -6,10 +6,10 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/transform.h>
+#include <libhair/geometry/colliders.h>
 #include <libhair/guides/bending.h>
 #include <libhair/guides/contact.h>
 #include <libhair/guides/guide_strands.h>
-#include <libhair/motion/colliders.h>
 #include <libhair/motion/wind.h>
 
 namespace HAIR_API hair {

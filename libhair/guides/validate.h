@@ -3,8 +3,8 @@
 #include <span>
 
 #include <libhair/core/transform.h>
+#include <libhair/geometry/colliders.h>
 #include <libhair/guides/guide_strands.h>
-#include <libhair/motion/colliders.h>
 
 namespace hair {
 

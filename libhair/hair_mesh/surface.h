@@ -3,7 +3,7 @@
 #include <array>
 
 #include <libhair/core/api.h>
-#include <libhair/core/triangle_mesh.h>
+#include <libhair/geometry/triangle_mesh.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
 namespace HAIR_API hair {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
-#include <libhair/core/openmesh-inl.h>
+#include <libhair/geometry/openmesh-inl.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
 namespace hair {

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include <libhair/core/random.h>
+#include <libhair/geometry/colliders.h>
 #include <libhair/model/comb.h>
-#include <libhair/motion/colliders.h>
 
 namespace hair {
 namespace {

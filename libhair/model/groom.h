@@ -7,17 +7,10 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fibre.h>
 #include <libhair/core/strands.h>
 
 namespace HAIR_API hair {
-
-/// What a drawn strand stands for. A picture draws thousands of strands for a hundred thousand
-/// hairs; each then blocks the light of all the hairs it stands for.
-struct Fibre {
-  float width = 80e-6f;         ///< of one hair, metres; human hair: 50e-6 to 100e-6
-  float opacity = 0.6f;         ///< of one hair to the light, (0, 1]
-  float hairsPerStrand = 30.f;  ///< hairs that one drawn strand stands for, >= 1
-};
 
 /// A hairstyle at rest: guide strands, which are simulated, and how drawn strands follow them
 /// (Bertails et al. 2005, section 4.1; SIGGRAPH 2010 course, "Creating hair from guide strands").

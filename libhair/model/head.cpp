@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <libhair/geometry/surface_nets.h>
 #include <libhair/model/head.h>
-#include <libhair/model/surface_nets.h>
 
 namespace hair {
 namespace {

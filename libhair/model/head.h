@@ -1,7 +1,7 @@
 #pragma once
 
 #include <libhair/core/api.h>
-#include <libhair/core/triangle_mesh.h>
+#include <libhair/geometry/triangle_mesh.h>
 
 namespace HAIR_API hair {
 

@@ -4,8 +4,8 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/strands.h>
+#include <libhair/geometry/mesh_sdf.h>
 #include <libhair/model/head_fit.h>
-#include <libhair/model/mesh_sdf.h>
 
 namespace hair {
 namespace {

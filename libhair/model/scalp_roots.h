@@ -7,7 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
-#include <libhair/model/mesh_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 
 namespace HAIR_API hair {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 
 #include <libhair/core/api.h>
+#include <libhair/geometry/mesh_sdf.h>
 #include <libhair/model/groom.h>
 #include <libhair/model/head.h>
-#include <libhair/model/mesh_sdf.h>
 #include <libhair/model/scalp_roots.h>
 
 namespace HAIR_API hair {

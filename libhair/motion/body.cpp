@@ -5,9 +5,9 @@
 #include <functional>
 
 #include <libhair/core/error.h>
+#include <libhair/core/rotations.h>
 #include <libhair/motion/body_colliders.h>
 #include <libhair/motion/head_motion.h>
-#include <libhair/motion/rotations.h>
 
 namespace hair {
 namespace {

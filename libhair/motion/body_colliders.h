@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include <libhair/geometry/colliders.h>
 #include <libhair/motion/body.h>
-#include <libhair/motion/colliders.h>
 
 namespace hair {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <libhair/motion/rotations.h>
+#include <libhair/core/rotations.h>
 
 namespace hair {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <span>
 
+#include <libhair/core/rotations.h>
 #include <libhair/motion/dance_curves.h>
 #include <libhair/motion/dance_score.h>
-#include <libhair/motion/rotations.h>
 
 // How the score becomes a dance: every column of the score is a curve through its keys, smoothed
 // over a few frames; hips and feet stand where the score says, and the knees follow from them

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/geometry/colliders.h>
 #include <libhair/motion/body.h>
 #include <libhair/motion/clip_filter.h>
-#include <libhair/motion/colliders.h>
 #include <libhair/motion/skeleton.h>
 
 namespace HAIR_API hair {

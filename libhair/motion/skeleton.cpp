@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/core/rotations.h>
 #include <libhair/files/bvh_file.h>
-#include <libhair/motion/rotations.h>
 
 namespace hair {
 namespace {

@@ -1,7 +1,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "libhair/repulsion/repulsion.cpp"
 #include <hwy/foreach_target.h>
-#include <libhair/shadow/cells-inl.h>
+#include <libhair/density/cells-inl.h>
 
 #include <libhair/repulsion/repulsion.h>
 
@@ -178,7 +178,7 @@ HWY_AFTER_NAMESPACE();
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/shadow/deposit.h>
+#include <libhair/density/deposit.h>
 
 namespace hair {
 

@@ -6,9 +6,9 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/lanes.h>
+#include <libhair/density/density_map.h>
 #include <libhair/guides/guide_strands.h>
 #include <libhair/motion/wind.h>
-#include <libhair/shadow/density_map.h>
 
 namespace HAIR_API hair {
 

@@ -7,7 +7,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/strands.h>
-#include <libhair/shadow/light.h>
+#include <libhair/light/light.h>
 
 namespace HAIR_API hair {
 

@@ -5,7 +5,7 @@
 
 #include <hwy/foreach_target.h>
 
-#include <libhair/shadow/cells-inl.h>
+#include <libhair/density/cells-inl.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/footprint-inl.h>
 

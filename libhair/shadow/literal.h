@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
-#include <libhair/shadow/light_space.h>
+#include <libhair/light/light_space.h>
 
 namespace HAIR_API hair {
 namespace literal {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
-#include <libhair/shadow/cell_walk.h>
-#include <libhair/shadow/cell_writer.h>
+#include <libhair/density/cell_walk.h>
+#include <libhair/density/cell_writer.h>
 
 namespace hair {
 

@@ -4,9 +4,9 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/transform.h>
-#include <libhair/model/mesh_sdf.h>
-#include <libhair/motion/colliders.h>
-#include <libhair/shadow/density_map.h>
+#include <libhair/density/density_map.h>
+#include <libhair/geometry/colliders.h>
+#include <libhair/geometry/mesh_sdf.h>
 
 namespace HAIR_API hair {
 

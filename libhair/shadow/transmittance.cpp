@@ -6,7 +6,7 @@
 #include <hwy/foreach_target.h>
 
 #include <libhair/core/simd-inl.h>
-#include <libhair/shadow/brick_range.h>
+#include <libhair/density/brick_range.h>
 #include <libhair/shadow/transmittance.h>
 
 HWY_BEFORE_NAMESPACE();

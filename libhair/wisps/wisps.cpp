@@ -6,7 +6,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/model/mesh_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 
 namespace hair {
 

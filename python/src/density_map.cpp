@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
-#include <libhair/shadow/deposit.h>
+#include <libhair/density/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/occlude.h>
 #include <libhair/shadow/transmittance.h>

@@ -14,8 +14,8 @@
 #include "topics.h"
 #ifdef HAIR_PYTHON_HAIR_MESH
 #include <libhair/hair_mesh/hair_mesh_file.h>
-#include <libhair/hair_mesh/hair_mesh_script.h>
 #include <libhair/hair_mesh/mesh_groom.h>
+#include <libhair/hair_mesh/script/script.h>
 #endif
 
 namespace hair::python {

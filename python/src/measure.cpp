@@ -4,8 +4,8 @@
 #include <limits>
 
 #include <libhair/core/error.h>
-#include <libhair/measure/choose.h>
-#include <libhair/measure/shadow_trial.h>
+#include <libhair/measure/shadow/choose.h>
+#include <libhair/measure/shadow/shadow_trial.h>
 
 #include "choices.h"
 #include "shadow.h"

@@ -3,7 +3,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/files/bvh_file.h>
-#include <libhair/model/body_mesh.h>
+#include <libhair/motion/body_mesh.h>
 
 #include "strands.h"
 #include "topics.h"

@@ -2,8 +2,8 @@
 #include <pybind11/operators.h>
 
 #include <libhair/core/error.h>
-#include <libhair/frame.h>
-#include <libhair/measure/error_model.h>
+#include <libhair/measure/shadow/error_model.h>
+#include <libhair/simulation/frame.h>
 #include <libhair/wisps/bind.h>
 
 #include "fields.h"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include <libhair/shadow/light.h>
+#include <libhair/light/light.h>
 
 #include "strands.h"
 

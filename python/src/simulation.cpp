@@ -6,11 +6,11 @@
 #include <iomanip>
 #include <sstream>
 
-#include <libhair/between_frames.h>
 #include <libhair/core/error.h>
 #include <libhair/core/state_hash.h>
 #include <libhair/guides/measure.h>
-#include <libhair/hair_state.h>
+#include <libhair/simulation/hair_state.h>
+#include <libhair/simulation/scene_changes.h>
 
 #include "choices.h"
 #include "topics.h"

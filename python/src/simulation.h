@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include <libhair/frame.h>
+#include <libhair/simulation/frame.h>
 
 #include "groom.h"
 #include "level_of_detail.h"

@@ -4,8 +4,8 @@
 
 #include <libhair/core/strands.h>
 #include <libhair/core/transform.h>
-#include <libhair/core/triangle_mesh.h>
-#include <libhair/model/mesh_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
+#include <libhair/geometry/triangle_mesh.h>
 
 #include "arrays.h"
 

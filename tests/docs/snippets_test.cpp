@@ -7,12 +7,12 @@
 
 #include <libhair/core/error.h>
 #include <libhair/files/strand_file.h>
-#include <libhair/frame.h>
-#include <libhair/measure/choose.h>
+#include <libhair/measure/shadow/choose.h>
 #include <libhair/model/head.h>
 #include <libhair/model/styles.h>
 #include <libhair/motion/motion.h>
 #include <libhair/shadow/methods/shadow_method.h>
+#include <libhair/simulation/frame.h>
 #include <libhair/wisps/bind.h>
 
 TEST(ConceptPages, StrandsAreTwoArrays) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <libhair/frame.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair::extremes {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <libhair/files/usda_file.h>
-#include <libhair/files/usda_write.h>
+#include <libhair/files/usda/usda_file.h>
+#include <libhair/files/usda/usda_write.h>
 
 #include "samples.h"
 

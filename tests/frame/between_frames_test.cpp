@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <libhair/between_frames.h>
 #include <libhair/core/error.h>
+#include <libhair/simulation/scene_changes.h>
 
 #include "scene.h"
 

@@ -9,7 +9,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
-#include <libhair/shadow/deposit.h>
+#include <libhair/density/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/transmittance.h>
 #include <libhair/wisps/bind.h>

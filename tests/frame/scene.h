@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include <libhair/frame.h>
 #include <libhair/guides/measure.h>
-#include <libhair/hair_state.h>
 #include <libhair/model/head.h>
 #include <libhair/model/styles.h>
 #include <libhair/motion/motion.h>
+#include <libhair/simulation/frame.h>
+#include <libhair/simulation/hair_state.h>
 
 namespace hair::test {
 

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include <libhair/files/ply_file.h>
-#include <libhair/files/usda_write.h>
+#include <libhair/files/usda/usda_write.h>
 #include <tests/files/samples.h>
 
 #include "small_hair.h"

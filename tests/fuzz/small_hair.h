@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <libhair/frame.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair {
 

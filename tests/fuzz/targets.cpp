@@ -11,15 +11,15 @@
 #include <libhair/files/obj_strands.h>
 #include <libhair/files/ply_file.h>
 #include <libhair/files/tfx_file.h>
-#include <libhair/files/usda_file.h>
-#include <libhair/files/usda_write.h>
+#include <libhair/files/usda/usda_file.h>
+#include <libhair/files/usda/usda_write.h>
 #include <libhair/motion/motion.h>
 #ifdef HAIR_WITH_MODEL
 #include <libhair/files/obj.h>
 #endif
 #ifdef HAIR_WITH_HAIR_MESH
 #include <libhair/hair_mesh/hair_mesh_file.h>
-#include <libhair/hair_mesh/hair_mesh_script.h>
+#include <libhair/hair_mesh/script/script.h>
 #endif
 
 #include "promise.h"

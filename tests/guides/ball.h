@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include <libhair/model/shared_sdf.h>
-#include <libhair/model/surface_nets.h>
-#include <libhair/motion/colliders.h>
+#include <libhair/geometry/colliders.h>
+#include <libhair/geometry/shared_sdf.h>
+#include <libhair/geometry/surface_nets.h>
 
 namespace hair::test {
 

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
-#include <libhair/frame.h>
 #include <libhair/guides/measure.h>
 #include <libhair/hair_mesh/trace.h>
+#include <libhair/simulation/frame.h>
 #include <tests/hair_mesh/sample_meshes.h>
 
 namespace hair {

@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include <libhair/frame.h>
-#include <libhair/hair_mesh/hair_mesh_script.h>
+#include <libhair/geometry/shared_sdf.h>
 #include <libhair/hair_mesh/mesh_groom.h>
+#include <libhair/hair_mesh/script/script.h>
 #include <libhair/model/comb.h>
 #include <libhair/model/head.h>
-#include <libhair/model/shared_sdf.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <libhair/hair_mesh/hair_mesh_script.h>
+#include <libhair/hair_mesh/script/script.h>
 
 namespace hair {
 namespace {

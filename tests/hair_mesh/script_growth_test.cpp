@@ -6,7 +6,7 @@
 #include <set>
 
 #include <libhair/core/parallel.h>
-#include <libhair/hair_mesh/hair_mesh_script.h>
+#include <libhair/hair_mesh/script/script.h>
 #include <libhair/model/head.h>
 #include <libhair/model/scalp_roots.h>
 #include <tests/hair_mesh/same_mesh.h>

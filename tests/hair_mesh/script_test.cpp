@@ -1,4 +1,4 @@
-#include <libhair/hair_mesh/hair_mesh_script.h>
+#include <libhair/hair_mesh/script/script.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <libhair/core/openmesh-inl.h>
+#include <libhair/geometry/openmesh-inl.h>
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>

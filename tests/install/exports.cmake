@@ -43,7 +43,7 @@ foreach(library IN LISTS libraries)
   endif()
   message("${name} exports ${count} symbols, all of public headers")
   if(output MATCHES "hair::makeRibbonPoints")
-    message(FATAL_ERROR "${name} exports a function of libhair/measure/ribbon.h, which is private")
+    message(FATAL_ERROR "${name} exports a function of libhair/measure/shadow/ribbon.h, which is private")
   endif()
 
   run("${NM}" --dynamic --defined-only "${library}")

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/files/strand_file.h>
-#include <libhair/measure/shadow_trial.h>
+#include <libhair/measure/shadow/shadow_trial.h>
 #include <libhair/shadow/automatic.h>
 
 namespace hair {

@@ -10,8 +10,8 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/files/strand_file.h>
-#include <libhair/measure/choose.h>
-#include <libhair/measure/error_figures.h>
+#include <libhair/measure/shadow/choose.h>
+#include <libhair/measure/shadow/error_figures.h>
 #include <libhair/model/fill_wisps.h>
 #include <libhair/model/head.h>
 #include <libhair/model/styles.h>

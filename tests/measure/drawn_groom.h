@@ -1,6 +1,6 @@
 #pragma once
 
-#include <libhair/measure/scene.h>
+#include <libhair/measure/motion/scene.h>
 #include <libhair/wisps/bind.h>
 #include <tests/guides/sphere_groom.h>
 

@@ -5,7 +5,7 @@
 #include <libhair/core/error.h>
 #include <libhair/files/strand_file.h>
 #include <libhair/measure/embree/embree_tracer.h>
-#include <libhair/measure/truth.h>
+#include <libhair/measure/shadow/truth.h>
 #include <libhair/model/fill_wisps.h>
 #include <libhair/model/styles.h>
 

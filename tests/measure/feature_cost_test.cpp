@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
-#include <libhair/measure/feature_cost.h>
+#include <libhair/measure/motion/feature_cost.h>
 
 #include "drawn_groom.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
-#include <libhair/measure/flicker.h>
+#include <libhair/measure/shadow/flicker.h>
 #include <tests/measure/scene.h>
 
 namespace hair {

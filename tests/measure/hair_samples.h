@@ -6,7 +6,7 @@
 
 #include <libhair/core/random.h>
 #include <libhair/core/transform.h>
-#include <libhair/measure/truth.h>
+#include <libhair/measure/shadow/truth.h>
 
 namespace hair::test {
 

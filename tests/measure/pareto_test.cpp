@@ -8,7 +8,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/random.h>
-#include <libhair/measure/pareto.h>
+#include <libhair/measure/shadow/pareto.h>
 
 namespace hair {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
-#include <libhair/measure/truth.h>
+#include <libhair/measure/shadow/truth.h>
 
 #include "hair_samples.h"
 

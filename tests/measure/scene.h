@@ -2,7 +2,7 @@
 
 #include <libhair/core/random.h>
 #include <libhair/core/strands.h>
-#include <libhair/measure/truth.h>
+#include <libhair/measure/shadow/truth.h>
 
 namespace hair {
 

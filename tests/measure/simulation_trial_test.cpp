@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
-#include <libhair/measure/simulation_trial.h>
+#include <libhair/measure/motion/simulation_trial.h>
 
 #include "drawn_groom.h"
 

@@ -2,7 +2,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/measure/truth.h>
+#include <libhair/measure/shadow/truth.h>
 
 #include "hair_samples.h"
 

@@ -7,8 +7,8 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/measure/shadow_trial.h>
-#include <libhair/measure/visibility_ray.h>
+#include <libhair/measure/shadow/shadow_trial.h>
+#include <libhair/measure/shadow/visibility_ray.h>
 #include <tests/measure/scene.h>
 
 namespace hair {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/strands.h>
+#include <libhair/geometry/mesh_sdf.h>
 #include <libhair/model/head.h>
-#include <libhair/model/mesh_sdf.h>
 
 namespace hair {
 namespace {

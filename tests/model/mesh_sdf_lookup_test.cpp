@@ -2,7 +2,7 @@
 #define HWY_TARGET_INCLUDE "tests/model/mesh_sdf_lookup_test.cpp"
 #include <hwy/foreach_target.h>
 #include <libhair/core/simd-inl.h>
-#include <libhair/model/mesh_sdf-inl.h>
+#include <libhair/geometry/mesh_sdf-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {

@@ -7,8 +7,8 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
-#include <libhair/model/mesh_sdf.h>
-#include <libhair/model/surface_nets.h>
+#include <libhair/geometry/mesh_sdf.h>
+#include <libhair/geometry/surface_nets.h>
 
 namespace hair {
 namespace {

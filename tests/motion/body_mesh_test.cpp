@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/parallel.h>
-#include <libhair/model/body_mesh.h>
+#include <libhair/motion/body_mesh.h>
 #include <libhair/motion/landmarks.h>
 #include <libhair/motion/motion.h>
 

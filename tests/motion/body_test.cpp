@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
+#include <libhair/core/rotations.h>
 #include <libhair/motion/body_colliders.h>
 #include <libhair/motion/dance.h>
 #include <libhair/motion/head_motion.h>
 #include <libhair/motion/motion.h>
-#include <libhair/motion/rotations.h>
 
 #include "clips.h"
 

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <libhair/core/rotations.h>
 #include <libhair/motion/body.h>
 #include <libhair/motion/clip_filter.h>
-#include <libhair/motion/rotations.h>
 
 #include "clips.h"
 

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <libhair/core/rotations.h>
 #include <libhair/motion/clip_filter.h>
 #include <libhair/motion/dance.h>
 #include <libhair/motion/motion.h>
-#include <libhair/motion/rotations.h>
 
 namespace hair {
 namespace {

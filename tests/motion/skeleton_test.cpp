@@ -5,7 +5,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/random.h>
-#include <libhair/motion/rotations.h>
+#include <libhair/core/rotations.h>
 #include <libhair/motion/skeleton.h>
 
 #include "clips.h"

@@ -9,7 +9,7 @@
 
 #include <libhair/core/random.h>
 #include <libhair/core/strands.h>
-#include <libhair/shadow/deposit.h>
+#include <libhair/density/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/transmittance.h>
 

@@ -6,8 +6,8 @@
 
 #include <libhair/core/instruction_set.h>
 #include <libhair/core/parallel.h>
-#include <libhair/shadow/extinction.h>
-#include <libhair/shadow/segment_walk.h>
+#include <libhair/density/extinction.h>
+#include <libhair/density/segment_walk.h>
 
 #include "fixture.h"
 

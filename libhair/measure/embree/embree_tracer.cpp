@@ -9,7 +9,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/measure/ribbon.h>
+#include <libhair/measure/shadow/ribbon.h>
 
 namespace hair {
 

@@ -4,7 +4,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/strands.h>
-#include <libhair/measure/truth.h>
+#include <libhair/measure/shadow/truth.h>
 #include <libhair/model/groom.h>
 
 namespace HAIR_API hair {

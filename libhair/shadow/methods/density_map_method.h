@@ -3,7 +3,7 @@
 #include <memory>
 
 #include <libhair/core/api.h>
-#include <libhair/shadow/density_map.h>
+#include <libhair/density/density_map.h>
 
 namespace HAIR_API hair {
 

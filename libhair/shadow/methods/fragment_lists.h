@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fibre.h>
 #include <libhair/core/strands.h>
-#include <libhair/model/groom.h>
 #include <libhair/shadow/methods/light_image.h>
 
 namespace HAIR_API hair {

@@ -9,10 +9,10 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fibre.h>
 #include <libhair/core/strands.h>
-#include <libhair/model/groom.h>
-#include <libhair/shadow/density_map.h>
-#include <libhair/shadow/light_space.h>
+#include <libhair/density/density_map.h>
+#include <libhair/light/light_space.h>
 #include <libhair/shadow/methods/deep_opacity_map.h>
 #include <libhair/shadow/methods/deep_shadow_map.h>
 #include <libhair/shadow/methods/density_clustering.h>

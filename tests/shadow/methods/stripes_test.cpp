@@ -5,7 +5,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/files/hair_file.h>
-#include <libhair/measure/stripes.h>
+#include <libhair/measure/shadow/stripes.h>
 
 #include "methods.h"
 

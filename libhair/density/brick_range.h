@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <libhair/density/density_map.h>
+
+namespace hair {
+
+/// Bricks of an axis that follow each other, and go on with the first one behind the last.
+struct BrickRange {
+  int begin, count, perAxis;
+
+  std::size_t at(int i) const {
+    return static_cast<std::size_t>(begin + i < perAxis ? begin + i : begin + i - perAxis);
+  }
+};
+
+/// The bricks across the light (axis 1 or 2) that a filter may read: those of the hair, and of what
+/// a footprint that meets the hair covers beside it, 2 · 10 + 2 cells at most.
+inline BrickRange bricksToRead(const DensityMap& map, int axis) {
+  constexpr int kBeside = 24;
+  const int perAxis = map.bricks.perAxis()[axis];
+  const int size = axis == 1 ? brick::kY : brick::kZ;
+  const std::int64_t cells = std::int64_t{map.upper[axis]} - map.lower[axis] + 1 + 2 * kBeside;
+  // No brick may be met twice.
+  if (map.empty() || cells + size > map.settings.cells) return {0, perAxis, perAxis};
+  const int base = map.frame.base[axis];
+  const int first = map.wrap(base + map.lower[axis] - kBeside) / size;
+  const int last = map.wrap(base + map.upper[axis] + kBeside) / size;
+  return {first, (last - first + perAxis) % perAxis + 1, perAxis};
+}
+
+}  // namespace hair

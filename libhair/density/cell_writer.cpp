@@ -1,0 +1,86 @@
+#include <libhair/density/cell_writer.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include <libhair/core/lanes.h>
+#include <libhair/core/parallel.h>
+#include <libhair/density/add_bricks.h>
+#include <libhair/density/deposit_kernels.h>
+
+namespace hair {
+
+namespace {
+
+/// Work that is worth another thread, in nanoseconds: less is done before it has begun. Its bricks
+/// are made and added up besides; there will be about as many as a frame before.
+std::size_t worthAThread(const BrickStore& bricks) {
+  return std::max<std::size_t>(50000, 40 * std::max(bricks.size(), bricks.sizeBefore()));
+}
+
+std::uint32_t countFull(const BrickStore& bricks) {
+  std::uint32_t full = 0;
+  for (std::uint32_t slot = 1; slot <= bricks.size(); ++slot)
+    full += static_cast<std::uint32_t>(
+        std::count(bricks.cells(slot), bricks.cells(slot) + brick::kCells, kFull));
+  return full;
+}
+
+}  // namespace
+
+void CellWriter::flush() {
+  if (std::any_of(counts_, counts_ + size_, [](std::uint32_t c) { return c >= kManyCounts; })) {
+    for (std::size_t l = 0; l < size_; ++l) addAlone({x_[l], y_[l], z_[l]}, counts_[l]);
+  } else {
+    // Zeros fill up the lanes.
+    for (; size_ % kLanes != 0; ++size_) {
+      x_[size_] = x_[0], y_[size_] = y_[0], z_[size_] = z_[0];
+      counts_[size_] = 0;
+    }
+    writeCounts(x_, y_, z_, counts_, size_, *this);
+  }
+  size_ = 0;
+}
+
+void CellWriter::addAlone(glm::ivec3 cell, std::uint32_t count) {
+  if (count == 0) return;
+  const glm::ivec3 wrapped = map_.wrap(cell);
+  const std::uint32_t slot = store_.make(store_.place(wrapped));
+  std::uint32_t& sum = store_.cells(slot)[brick::offset(wrapped)];
+  sum = addSaturating(sum, count);
+  full_ |= sum == kFull;
+}
+
+void detail::writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds,
+                        DensityMap& map, WriteRange write, void* context) {
+  map.lit = false;
+  const std::size_t blocks = (count + grain - 1) / grain;
+  const std::size_t workers =
+      std::max<std::size_t>(std::min({blocks, static_cast<std::size_t>(threadCount()),
+                                      nanoseconds / worthAThread(map.bricks)}),
+                            1);
+  while (map.workers.size() + 1 < workers) map.workers.emplace_back(map.settings.cells);
+  std::atomic<std::size_t> next = 0;
+  std::mutex joining;
+  glm::ivec3 lower = map.lower, upper = map.upper;
+  bool full = map.saturatedCells > 0;
+  hair::parallelFor(workers, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t w = begin; w < end; ++w) {
+      CellWriter writer(map, w == 0 ? map.bricks : map.workers[w - 1]);
+      for (std::size_t b = next++; b < blocks; b = next++)
+        write(context, writer, b * grain, std::min((b + 1) * grain, count));
+      writer.flush();
+      const std::scoped_lock lock(joining);
+      lower = glm::min(lower, writer.lower());
+      upper = glm::max(upper, writer.upper());
+      full |= writer.full();
+    }
+  });
+  map.lower = lower;
+  map.upper = upper;
+  for (std::size_t w = 1; w < workers; ++w) full |= addBricks(map.workers[w - 1], map.bricks);
+  map.saturatedCells = full ? countFull(map.bricks) : 0;
+}
+
+}  // namespace hair

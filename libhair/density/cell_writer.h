@@ -1,0 +1,94 @@
+#pragma once
+
+#include <climits>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <glm/glm.hpp>
+
+#include <libhair/density/density_map.h>
+
+namespace hair {
+
+// Fixed point: one count is 2^-20 of an optical depth, or of a metre. A cell holds 4096 of either;
+// light is gone after 70.
+inline constexpr float kQuantum = 0x1p-20f;
+
+inline constexpr std::uint32_t kFull = 0xffffffffu;
+
+inline std::uint32_t addSaturating(std::uint32_t a, std::uint32_t b) {
+  return a > kFull - b ? kFull : a + b;
+}
+
+/// Adds counts to the cells of a store of its own, so that threads never meet; writeCells sums the
+/// stores up. Sums of integers do not depend on their order. Whoever makes one flushes it.
+class CellWriter {
+ public:
+  CellWriter(const DensityMap& map, BrickStore& store) : map_(map), store_(store) {}
+  CellWriter(const CellWriter&) = delete;
+  CellWriter& operator=(const CellWriter&) = delete;
+
+  /// All cells from one to the other may be written.
+  void extend(glm::ivec3 lower, glm::ivec3 upper) {
+    lower_ = glm::min(lower_, lower);
+    upper_ = glm::max(upper_, upper);
+  }
+
+  /// To an unwrapped cell. Kept until there are enough of them to find their bricks side by side.
+  void add(glm::ivec3 cell, std::uint32_t count) {
+    x_[size_] = cell.x;
+    y_[size_] = cell.y;
+    z_[size_] = cell.z;
+    counts_[size_] = count;
+    if (++size_ == kSize) flush();
+  }
+  /// Now all that was added is in the store.
+  void flush();
+
+  /// For kernels that write to the store themselves.
+  const DensityMap& map() const { return map_; }
+  BrickStore& store() { return store_; }
+  void tellFull() { full_ = true; }
+
+  glm::ivec3 lower() const { return lower_; }
+  glm::ivec3 upper() const { return upper_; }
+  bool full() const { return full_; }  ///< a sum did not fit
+
+ private:
+  static constexpr std::size_t kSize = 64;
+
+  void addAlone(glm::ivec3 cell, std::uint32_t count);
+
+  const DensityMap& map_;
+  BrickStore& store_;
+  std::size_t size_ = 0;
+  int x_[kSize], y_[kSize], z_[kSize];
+  std::uint32_t counts_[kSize];
+  bool full_ = false;
+  glm::ivec3 lower_{INT_MAX}, upper_{INT_MIN};
+};
+
+namespace detail {
+using WriteRange = void (*)(void* context, CellWriter& writer, std::size_t begin, std::size_t end);
+void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, DensityMap& map,
+                WriteRange write, void* context);
+}  // namespace detail
+
+/// Calls write(writer, begin, end) on ranges of at most `grain` that cover [0, count), on as many
+/// threads as there is work for (`nanoseconds`: what it would take one, roughly), and adds up what
+/// they wrote in map.bricks, with bounds and saturation. The result has the same bits for any
+/// number of threads.
+template <class Write>
+void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, DensityMap& map,
+                Write&& write) {
+  using Plain = std::remove_reference_t<Write>;
+  detail::writeCells(
+      count, grain, nanoseconds, map,
+      [](void* context, CellWriter& writer, std::size_t begin, std::size_t end) {
+        (*static_cast<Plain*>(context))(writer, begin, end);
+      },
+      const_cast<void*>(static_cast<const void*>(&write)));
+}
+
+}  // namespace hair

@@ -1,0 +1,108 @@
+// Cells of sixteen points side by side; see simd-inl.h for how kernels are compiled.
+#if defined(HAIR_SHADOW_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAIR_SHADOW_CELLS_INL_H
+#undef HAIR_SHADOW_CELLS_INL_H
+#else
+#define HAIR_SHADOW_CELLS_INL_H
+#endif
+
+#include <libhair/core/simd-inl.h>
+#include <libhair/density/density_map.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hair {
+namespace HWY_NAMESPACE {
+
+/// CellFrame::bend.
+HWY_INLINE Vec3 bend(Vec3 v, float k) {
+  const Floats ahead = Floats(1.0f) + Floats(k) * v.x;
+  const Floats across = Floats(k * k) * (v.y * v.y + v.z * v.z);
+  const Floats rho = sqrt(ahead * ahead + across);
+  const Floats sum = select(ahead > Floats(0.0f), rho + ahead, across / (rho - ahead + 1e-30f));
+  const Floats g = Floats(2.0f) / sum;
+  const Vec3 u(
+      (Floats(2.0f) * v.x + Floats(k) * (v.x * v.x + v.y * v.y + v.z * v.z)) / (Floats(1.0f) + rho),
+      g * v.y, g * v.z);
+  return select(sum < Floats(1e-12f), Vec3(v.x, 1e9f, 1e9f), u);
+}
+
+/// The bits of CellFrame::cellCoordinates.
+HWY_INLINE Vec3 cellCoordinates(const CellFrame& frame, Vec3 p) {
+  Vec3 u = Vec3(frame.fraction) + rotate(frame.cellFromWorld, p - Vec3(frame.anchor));
+  if (frame.curvature > 0) u = bend(u, frame.curvature);
+  const auto clamp = [](Floats c) HWY_ATTR { return min(max(c, Floats(-1e9f)), Floats(1e9f)); };
+  return {clamp(u.x), clamp(u.y), clamp(u.z)};
+}
+
+/// CellFrame::magnification.
+HWY_INLINE Floats magnification(const CellFrame& frame, Vec3 u) {
+  const float k = frame.curvature;
+  return (Floats(1.0f) + Floats(0.25f * k * k) * (u.y * u.y + u.z * u.z)) /
+         max(Floats(1.0f) + Floats(k) * u.x, 1e-6f);
+}
+
+/// Where unwrapped cells are stored: place · brick::kCells + offset.
+class CellCodes {
+ public:
+  HWY_INLINE explicit CellCodes(const DensityMap& map)
+      : map_(map),
+        cells_(map.settings.cells),
+        perY_(map.bricks.perAxis().y),
+        across_(static_cast<std::int32_t>(map.bricks.across())) {}
+
+  /// DensityMap::wrap of unwrapped cells.
+  HWY_INLINE void wrap(Ints& x, Ints& y, Ints& z) const {
+    const glm::ivec3 base = map_.frame.base;
+    x = turn(x + Ints(base.x)), y = turn(y + Ints(base.y)), z = turn(z + Ints(base.z));
+    if (HWY_UNLIKELY(any(outside(x) | outside(y) | outside(z)))) {
+      farther(x), farther(y), farther(z);
+    }
+  }
+  /// Of one axis.
+  HWY_INLINE Ints wrap(Ints c, int axis) const {
+    Ints i = turn(c + Ints(map_.frame.base[axis]));
+    if (HWY_UNLIKELY(any(outside(i)))) farther(i);
+    return i;
+  }
+  /// At most one turn: [0, cells) from [-cells, 2 cells); others stay outside.
+  HWY_INLINE Ints turn(Ints i) const {
+    // As numbers without signs, those that are not inside are larger than those that are.
+    return minUnsigned(minUnsigned(i, i + Ints(cells_)), i - Ints(cells_));
+  }
+  /// The wrapped cell after a wrapped one.
+  HWY_INLINE Ints next(Ints x) const { return select(x == Ints(cells_ - 1), Ints(0), x + Ints(1)); }
+  /// The two parts of a code, of wrapped cells.
+  HWY_INLINE Ints along(Ints x) const {
+    return shiftLeft<8>(shiftRight<2>(x) * Ints(across_)) + shiftLeft<6>(x & Ints(brick::kX - 1));
+  }
+  HWY_INLINE Ints across(Ints y, Ints z) const {
+    const Ints place = shiftRight<2>(z) * Ints(perY_) + shiftRight<4>(y);
+    return shiftLeft<8>(place) +
+           (shiftLeft<4>(z & Ints(brick::kZ - 1)) + (y & Ints(brick::kY - 1)));
+  }
+  HWY_INLINE Ints code(Ints x, Ints y, Ints z) const {
+    wrap(x, y, z);
+    return along(x) + across(y, z);
+  }
+  std::int32_t cells() const { return cells_; }
+
+ private:
+  HWY_INLINE Mask outside(Ints i) const { return (i < Ints(0)) | !(i < Ints(cells_)); }
+  /// Where some are farther from the anchor than one map. Sums of a turn are undone by wrapping.
+  HWY_NOINLINE void farther(Ints& i) const {
+    std::int32_t each[kLanes];
+    store(i, each);
+    for (std::int32_t& e : each) e = map_.wrap(e);
+    i = loadInts(each);
+  }
+
+  static_assert(brick::kX == 4 && brick::kZ == 4 && brick::kY == 16);
+  const DensityMap& map_;
+  std::int32_t cells_, perY_, across_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hair
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <libhair/hair_mesh/script/workshop.h>
+
+namespace hair {
+
+/// Extrudes each bundle until it has `layers` layers. Throws Error for one that has more.
+void growTo(Workshop& workshop, std::span<const std::uint32_t> bundles, std::uint32_t layers);
+
+/// The way of hair from a root: fills `curve`, [layers + 1], the root first. `beside` is the middle
+/// of the faces that share the vertex, which tells on which side of a parting it is.
+using CurveFromRoot =
+    std::function<void(glm::vec3 root, glm::vec3 beside, std::span<glm::vec3> curve)>;
+
+/// Grows the bundles to `layers` and lays layer k of all their vertices on point k of the curves.
+void layAlong(Workshop& workshop, std::span<const std::uint32_t> bundles, std::uint32_t layers,
+              const CurveFromRoot& curveOf);
+
+}  // namespace hair

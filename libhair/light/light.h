@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/glm.hpp>
+
+#include <libhair/core/api.h>
+#include <libhair/core/error.h>
+#include <libhair/light/light_space.h>
+
+namespace HAIR_API hair {
+
+/// A light: what casts shadows and what shading is told of it.
+struct Light {
+  /// Where light comes from.
+  enum class Kind : std::uint8_t {
+    Parallel,  ///< at infinity, as the sun
+    Point,     ///< at a point, as a lamp; falls off with the square of the distance
+  };
+
+  Kind kind = Kind::Parallel;     ///< which of the fields below count
+  glm::vec3 direction{0, -1, 0};  ///< Parallel: the way light travels, any length but zero
+  glm::vec3 position{0, 3, 0};    ///< Point: where it is, metres
+  /// Linear, >= 0. Of a light at a point: what arrives at the *pivot* (lightSpaceOf), whatever the
+  /// distance; nearer hair gets more.
+  glm::vec3 colour{1};
+
+  /// A light at infinity.
+  static Light parallel(glm::vec3 direction, glm::vec3 colour = glm::vec3(1)) {
+    return {Kind::Parallel, direction, glm::vec3(0), colour};
+  }
+  /// A light at a point, metres.
+  static Light point(glm::vec3 position, glm::vec3 colour = glm::vec3(1)) {
+    return {Kind::Point, glm::vec3(0, -1, 0), position, colour};
+  }
+
+  /// Equal, field by field.
+  bool operator==(const Light&) const = default;
+};
+
+/// The frame of the light's map. `pivot` (metres): what a light at a point looks at, where a map's
+/// cells are as large as its settings say and the light's colour is what arrives; of no meaning to
+/// parallel light. Throws Error for a direction without length, a light in its pivot, and numbers
+/// that are not finite.
+inline LightSpace lightSpaceOf(const Light& light, glm::vec3 pivot) {
+  require(glm::dot(light.colour, light.colour) < 1e30f &&
+              glm::all(glm::greaterThanEqual(light.colour, glm::vec3(0))),
+          "light colour: (", light.colour.x, ", ", light.colour.y, ", ", light.colour.z,
+          ") is negative, too bright or no number");
+  return light.kind == Light::Kind::Parallel ? makeLightSpace(light.direction)
+                                             : makePointLightSpace(light.position, pivot);
+}
+
+}  // namespace hair

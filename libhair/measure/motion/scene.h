@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <libhair/core/api.h>
+#include <libhair/motion/motion.h>
+#include <libhair/simulation/frame.h>
+
+namespace HAIR_API hair {
+
+/// What a measurement performs, again and again: hair on a body that moves. A copy whose fields are
+/// changed is the same scene with something left out.
+struct MeasuredScene {
+  std::shared_ptr<const Groom> groom;  ///< shared by all copies
+  const MeshSdf* head = nullptr;  ///< collider in head space, null: none; must outlive the scene
+  FrameSettings settings;         ///< what a frame computes
+  WispSettings wisps;             ///< how drawn strands keep out of colliders
+  bool bodyContact = true;        ///< false: the body's capsules are not there
+  /// Where head and body are `seconds` after the start: Motion::pose.
+  std::function<void(double seconds, BodyPose& out)> pose;
+  float frameSeconds = 1.0f / 60;  ///< of the picture, (0, 1]
+  float settle = 1;                ///< seconds in the first pose before the first frame, >= 0
+};
+
+/// A groom that somebody else keeps.
+inline std::shared_ptr<const Groom> borrowed(const Groom& groom) {
+  return {std::shared_ptr<void>{}, &groom};
+}
+
+/// A scene under way: its hair, and where its body is.
+struct ScenePlayer {
+  /// Settled in the first pose. Throws Error: no groom, no pose, and as Hair and restart do.
+  explicit ScenePlayer(const MeasuredScene& scene);
+  ScenePlayer(const ScenePlayer&) = delete;  // Hair keeps references
+  ScenePlayer& operator=(const ScenePlayer&) = delete;
+
+  /// One frame on.
+  void step();
+  /// Where the body is: valid until the next step.
+  BodyState body() const;
+
+  MeasuredScene scene;      ///< a copy of what was asked for
+  BodyPose pose;            ///< at the last frame's end
+  Hair hair;                ///< as the last frame left it
+  FrameProfile profile{};   ///< of the last frame
+  std::int64_t frames = 0;  ///< so far
+};
+
+}  // namespace hair

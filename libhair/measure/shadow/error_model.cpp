@@ -1,0 +1,74 @@
+#include <libhair/measure/shadow/error_model.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <libhair/core/error.h>
+#include <libhair/core/random.h>
+#include <libhair/measure/shadow/error_figures.h>
+
+namespace hair {
+
+ErrorPilot::ErrorPilot(StrandView strands, const Fibre& fibre, const LightSpace& light,
+                       float footprint, const PilotSettings& settings)
+    : strands_(strands), fibre_(fibre), light_(light) {
+  require(footprint > 0 && std::isfinite(footprint), "shadow footprint: ", footprint,
+          " m is not positive");
+  require(settings.points >= 8, "error pilot: ", settings.points, " points; take 8 or more");
+  require(settings.leastRays >= 8 && settings.leastRays <= settings.mostRays,
+          "error pilot: ", settings.leastRays, " to ", settings.mostRays,
+          " rays a point; take 8 or more, and no more at least than at most");
+  points_ = chooseSamplePoints(strands, settings.points, settings.seed);
+  require(!points_.empty(), "error pilot: the hair has no points but roots to compare shadows at");
+  const std::unique_ptr<FibreTracer> tracer = makeGridTracer(strands, fibre);
+  const std::size_t n = points_.size();
+  both_.transmittance.resize(n);
+  for (rays_ = settings.leastRays;; rays_ = std::min(4 * rays_, settings.mostRays)) {
+    const auto trace = [&](std::uint32_t half) {
+      return exactTransmittance(*tracer, fibre, light, points_,
+                                {footprint, rays_ / 2, hashWord(settings.seed ^ hashWord(half))});
+    };
+    first_ = trace(1);
+    second_ = trace(2);
+    double squares = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const float a = first_.transmittance[i], b = second_.transmittance[i];
+      both_.transmittance[i] = 0.5f * (a + b);
+      squares += static_cast<double>(a - b) * static_cast<double>(a - b);
+    }
+    // What the halves differ by says how noisy their mean is; rays are spread evenly, so that the
+    // standard error of plain random rays is too much.
+    const auto noise = static_cast<float>(0.5 * std::sqrt(squares / static_cast<double>(n)));
+    both_.standardError.assign(n, noise);
+    if (noise <= settings.noise || rays_ >= settings.mostRays) break;
+  }
+  all_.resize(strands.pointCount());
+  measured_.resize(n);
+}
+
+PredictedError ErrorPilot::predict(const ShadowSettings& settings) {
+  {
+    const std::unique_ptr<ShadowMethod> method = makeShadowMethod(settings);
+    method->build(strands_, fibre_, light_);
+    method->sampleStrands(strands_, all_);
+  }
+  // SIMEX: half the rays have twice the noise, so that as much below the mean of all as the mean of
+  // halves is above it there is none.
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    measured_[i] = all_[points_[i].point];
+    const auto m = static_cast<double>(measured_[i]);
+    const auto off = [&](const Truth& t) {
+      return std::abs(m - static_cast<double>(t.transmittance[i]));
+    };
+    const double e = 2 * off(both_) - 0.5 * (off(first_) + off(second_));
+    sum += e;
+    squares += e * e;
+  }
+  const auto n = static_cast<double>(points_.size());
+  const double mean = sum / n;
+  return {std::max(mean, 0.0), std::sqrt(std::max(squares / n - mean * mean, 0.0) / n)};
+}
+
+}  // namespace hair

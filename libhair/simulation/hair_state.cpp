@@ -1,0 +1,274 @@
+#include <libhair/simulation/hair_state.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <istream>
+#include <ostream>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <libhair/core/error.h>
+#include <libhair/files/byte_reader.h>
+#include <libhair/guides/validate.h>
+
+namespace hair {
+
+namespace {
+
+constexpr std::array<char, 8> kMagic = {'H', 'A', 'I', 'R', 'S', 'T', 'A', 'T'};
+constexpr std::uint32_t kVersion = 1;
+constexpr std::string_view kName = "saved state";
+
+struct Header {
+  std::array<char, 8> magic = kMagic;
+  std::uint32_t version = kVersion;
+  std::uint32_t turn;       // Repulsion::turn
+  std::uint64_t restShape;  // restShapeOf
+  double time;
+  float waiting;         // Repulsion::waiting
+  std::uint32_t points;  // groups of them, of the guides
+  std::uint32_t felt;    // points again, or 0 without self-collision
+  std::uint32_t capsules, drawn, strands;
+  std::uint32_t planes, meshes;
+  std::uint32_t sheltered;  // points again, or 0 without shares of the wind
+  std::uint32_t unused = 0;
+};
+static_assert(sizeof(Header) == 72, "without gaps");
+
+// w, x, y, z of the rotation, then the translation.
+using Pose = std::array<float, 7>;
+
+Pose poseOf(const RigidTransform& t) {
+  const glm::quat& q = t.rotation;
+  return {q.w, q.x, q.y, q.z, t.translation.x, t.translation.y, t.translation.z};
+}
+
+RigidTransform transformOf(const Pose& p) {
+  return {{p[0], p[1], p[2], p[3]}, {p[4], p[5], p[6]}};
+}
+
+// Where a mesh stood; which it was is not saved.
+struct Placement {
+  Pose pose;
+  float scale;
+};
+
+// What a state cannot be moved between: the guides' rest shape, and how drawn strands follow.
+std::uint64_t restShapeOf(const Hair& hair) {
+  StateHash hash;
+  const auto add = [&]<class T>(const std::vector<T>& values) { hash.add(std::span(values)); };
+  const GuideStrands& g = hair.guides;
+  add(g.restPosition), add(g.linkLength), add(g.restTension), add(g.curvature);
+  add(g.jointStiffness), add(g.pointMass), add(g.clearance);
+  if (std::any_of(g.tied.begin(), g.tied.end(), [](auto tied) { return tied > 1; }))
+    add(g.inverseMass);
+  const Groom& groom = *hair.groom;
+  add(groom.first), add(groom.parents), add(groom.weights), add(groom.offsets);
+  return hash.value();
+}
+
+Header headerOf(const Hair& hair) {
+  const auto count = [](const auto& values) { return static_cast<std::uint32_t>(values.size()); };
+  Header header;
+  header.turn = static_cast<std::uint32_t>(hair.repulsion.turn);
+  header.restShape = restShapeOf(hair);
+  header.time = hair.time;
+  header.waiting = hair.repulsion.waiting;
+  header.points = count(hair.guides.position);
+  header.felt = count(hair.repulsion.allowed);
+  header.capsules = count(hair.capsules);
+  header.planes = count(hair.planes);
+  header.meshes = count(hair.meshes);
+  header.sheltered = count(hair.repulsion.windShare);
+  header.drawn = count(hair.wisps.points);
+  header.strands = count(hair.wisps.rootOffsets);
+  return header;
+}
+
+std::uint64_t checkSum(std::string_view bytes) {
+  StateHash hash;
+  hash.add(std::span(bytes));
+  return hash.value();
+}
+
+template <class T>
+void append(std::string& bytes, std::span<const T> values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+}
+
+// Adds `count` bytes of the stream.
+void take(std::istream& in, std::size_t count, std::string& bytes) {
+  const std::size_t old = bytes.size();
+  bytes.resize(old + count);
+  in.read(bytes.data() + old, static_cast<std::streamsize>(count));
+  const auto got = static_cast<std::size_t>(in.gcount());
+  require(got == count, kName, ": byte ", old + got, ": it ends here (truncated)");
+}
+
+// What may be read for this hair.
+void check(const Header& header, const Hair& hair) {
+  require(header.magic == kMagic, kName, ": does not begin with HAIRSTAT");
+  require(header.version == kVersion, kName, ": version ", header.version, "; this reads version ",
+          kVersion);
+  const Header own = headerOf(hair);
+  require(header.restShape == own.restShape && header.points == own.points &&
+              header.drawn == own.drawn && header.strands == own.strands,
+          kName,
+          ": of another groom, or of guide settings that shape another rest; load it into "
+          "the hair that it was saved of");
+  require(std::isfinite(header.time) && (header.felt == 0 || header.felt == own.points) &&
+              header.turn <= 1 && header.waiting >= 0 && header.waiting <= 1 &&
+              header.capsules <= kMaxCapsules && header.planes <= kMaxPlanes &&
+              header.meshes <= kMaxMeshes &&
+              (header.sheltered == 0 || header.sheltered == own.points),
+          kName, ": ", header.time, " s, ", header.felt, " pushes, ", header.sheltered,
+          " shares of wind, turn ", header.turn, ", ", header.capsules, " capsules, ",
+          header.planes, " planes and ", header.meshes, " meshes cannot be (damaged)");
+}
+
+std::size_t bodySize(const Header& h, std::size_t links) {
+  return 2 * sizeof(Pose) + h.capsules * sizeof(Capsule) + h.planes * sizeof(Plane) +
+         h.meshes * sizeof(Placement) + std::size_t{h.sheltered} * sizeof(Lanes) +
+         std::size_t{h.points} * 2 * sizeof(LaneVec3) + links * sizeof(Lanes) +
+         std::size_t{h.felt} * (sizeof(Lanes) + sizeof(LaneVec3)) +
+         std::size_t{h.drawn} * sizeof(glm::vec3) +
+         std::size_t{h.strands} * (sizeof(glm::vec3) + sizeof(float));
+}
+
+// Of finite numbers: those that no frame leaves behind, and that the next could only turn into
+// none. A frame moves hair by no more than the world's width, 2e8 m in a microsecond; offsets and
+// weights draw it no farther than 1e10 m from its guides.
+template <class T>
+void requireWithin(const std::vector<T>& values, float least, float most, const char* what) {
+  const auto* numbers = reinterpret_cast<const float*>(values.data());
+  const std::size_t count = std::span(values).size_bytes() / sizeof(float);
+  for (std::size_t i = 0; i < count; ++i)
+    require(numbers[i] >= least && numbers[i] <= most, kName, ": ", what, ' ', numbers[i],
+            " is not in ", least, " to ", most, " (damaged)");
+}
+
+// As the doors of a frame have it, which name what they refuse.
+template <class... Parts>
+void requireGood(const Parts&... parts) {
+  try {
+    (validate(parts), ...);
+  } catch (const Error& e) {
+    throw Error(text(kName, ": ", e.what(), " (damaged)"));
+  }
+}
+
+}  // namespace
+
+void saveState(const Hair& hair, std::ostream& out) {
+  const Header header = headerOf(hair);
+  std::string bytes;
+  bytes.reserve(sizeof(Header) + bodySize(header, hair.guides.tension.size()) +
+                sizeof(std::uint64_t));
+  const auto add = [&]<class T>(const std::vector<T>& values) {
+    append(bytes, std::span<const T>(values));
+  };
+  append(bytes, std::span(&header, 1));
+  const std::array<Pose, 2> poses = {poseOf(hair.worldFromHead), poseOf(hair.guides.worldFromHead)};
+  append(bytes, std::span<const Pose>(poses));
+  add(hair.capsules), add(hair.planes);
+  std::vector<Placement> placements;
+  placements.reserve(hair.meshes.size());
+  for (const MeshCollider& mesh : hair.meshes)
+    placements.push_back({poseOf(mesh.worldFromMesh), mesh.scale});
+  add(placements);
+  add(hair.guides.position), add(hair.guides.velocity), add(hair.guides.tension);
+  add(hair.repulsion.allowed), add(hair.repulsion.push), add(hair.repulsion.windShare);
+  add(hair.wisps.points), add(hair.wisps.rootOffsets), add(hair.wisps.clearance);
+  const std::uint64_t sum = checkSum(bytes);
+  append(bytes, std::span(&sum, 1));
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  require(out.good(), kName, ": cannot write");
+}
+
+void restoreState(std::istream& in, Hair& hair) {
+  std::string bytes;
+  take(in, sizeof(Header), bytes);
+  const auto header = ByteReader(bytes, kName).read<Header>("header");
+  check(header, hair);
+  take(in, bodySize(header, hair.guides.tension.size()) + sizeof(std::uint64_t), bytes);
+  const std::string_view summed(bytes.data(), bytes.size() - sizeof(std::uint64_t));
+  ByteReader end(bytes, kName);
+  end.seek(summed.size(), "check sum");
+  end.expect(end.read<std::uint64_t>("check sum") == checkSum(summed),
+             "the check sum is of other bytes (damaged)");
+
+  ByteReader reader(summed, kName);
+  reader.seek(sizeof(Header), "poses");
+  const auto read = [&]<class T>(std::vector<T>& values, std::size_t count, const char* what) {
+    values.clear();
+    reader.appendFinite(values, count, what);
+  };
+  std::vector<Pose> poses;
+  std::vector<Capsule> capsules;
+  std::vector<Plane> planes;
+  std::vector<Placement> placements;
+  GuideStrands guides = hair.guides;
+  std::vector<Lanes> allowed, windShare;
+  std::vector<LaneVec3> push;
+  std::vector<glm::vec3> points, rootOffsets;
+  std::vector<float> clearance;
+  read(poses, 2, "pose");
+  read(capsules, header.capsules, "capsule");
+  read(planes, header.planes, "plane");
+  read(placements, header.meshes, "placement of a mesh");
+  read(guides.position, header.points, "guide position");
+  read(guides.velocity, header.points, "guide velocity");
+  read(guides.tension, hair.guides.tension.size(), "guide tension");
+  read(allowed, header.felt, "allowed density");
+  read(push, header.felt, "push");
+  read(windShare, header.sheltered, "share of the wind");
+  read(points, header.drawn, "drawn point");
+  read(rootOffsets, header.strands, "root offset");
+  read(clearance, header.strands, "clearance");
+  if (allowed.empty()) {  // saved without self-collision: what this hair knows of it stays
+    allowed = hair.repulsion.allowed;
+    push.resize(allowed.size());
+  }
+
+  // Meshes are those that this hair has met, where there are as many; else the next frame takes its
+  // own as they stand.
+  std::vector<MeshCollider> meshes = hair.meshes;
+  if (meshes.size() != placements.size()) meshes.clear();
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+    meshes[m] = {meshes[m].sdf, transformOf(placements[m].pose), placements[m].scale};
+
+  constexpr float kFarthest = 1e10f, kFastest = 1e15f;
+  requireWithin(guides.position, -kFarthest, kFarthest, "guide position");
+  requireWithin(guides.velocity, -kFastest, kFastest, "guide velocity");
+  requireWithin(allowed, 0, INFINITY, "allowed density");
+  requireWithin(push, -1e6f, 1e6f, "push");
+  requireWithin(windShare, 0, 1, "share of the wind");
+  requireWithin(points, -kFarthest, kFarthest, "drawn point");
+  requireWithin(rootOffsets, -kFarthest, kFarthest, "root offset");
+  requireWithin(clearance, -kFarthest, kFarthest, "clearance");
+  const RigidTransform worldFromHead = transformOf(poses[0]);
+  guides.worldFromHead = transformOf(poses[1]);
+  requireGood(worldFromHead, guides.worldFromHead, std::span<const Capsule>(capsules),
+              Scenery{planes, meshes});
+
+  // From here on nothing throws.
+  hair.worldFromHead = worldFromHead;
+  hair.guides = std::move(guides);
+  hair.capsules = std::move(capsules);
+  hair.planes = std::move(planes);
+  hair.meshes = std::move(meshes);
+  hair.repulsion.windShare = std::move(windShare);
+  hair.repulsion.allowed = std::move(allowed);
+  hair.repulsion.push = std::move(push);
+  hair.repulsion.turn = header.turn;
+  hair.repulsion.waiting = header.waiting;
+  hair.wisps.points = std::move(points);
+  hair.wisps.rootOffsets = std::move(rootOffsets);
+  hair.wisps.clearance = std::move(clearance);
+  hair.time = header.time;
+}
+
+}  // namespace hair
