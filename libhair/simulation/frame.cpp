@@ -4,13 +4,9 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
-#include <libhair/density/deposit.h>
 #include <libhair/guides/validate.h>
-#include <libhair/shadow/filter.h>
-#include <libhair/shadow/occlude.h>
-#include <libhair/shadow/transmittance.h>
 #include <libhair/simulation/collider_fade_in.h>
-#include <libhair/simulation/scene_changes.h>
+#include <libhair/simulation/stages.h>
 
 namespace hair {
 
@@ -41,33 +37,6 @@ void Hair::remember(const BodyState& body) {
   copy(body.scenery.meshes, meshes);
 }
 
-namespace {
-
-void takeLevel(Hair& hair) {
-  if (hair.level == hair.wisps.drawn.level) return;
-  require(hair.detail,
-          "level of detail: Hair::level is set, but Hair::detail is null; make a "
-          "GroomDetail of the groom");
-  setLevel(*hair.detail, hair.level, hair.wisps);
-  hair.visibility.clear();  // of other points
-}
-
-// What self-collision counts: always the same strands, or hair would move when its level changes.
-StrandView feltStrands(const RepulsionSettings& settings, Hair& hair) {
-  if (hair.wisps.drawn.first.empty()) return hair.strands();
-  drawEvery(strideCounted(hair.groom->strandCount(), settings), hair.wisps, hair.felt);
-  return hair.felt;
-}
-
-// A point of a strand that is so much wider lies in so much more of its own shadow, which no strand
-// of the whole groom has.
-void forgiveWidth(const Wisps& wisps, DensityMap& map) {
-  if (wisps.drawn.first.empty()) return;
-  map.fibreShadow *= 1 + wisps.groom->fibre.hairsPerStrand * (wisps.drawn.wider - 1);
-}
-
-}  // namespace
-
 DensityMapSettings mapAt(const LevelOfDetail& level, const DensityMapSettings& settings) {
   if (level.cellSize <= settings.cellSize) return settings;
   DensityMapSettings coarse = settings;
@@ -80,87 +49,24 @@ DensityMapSettings mapAt(const LevelOfDetail& level, const DensityMapSettings& s
 }
 
 void redraw(Hair& hair) {
-  takeLevel(hair);
+  applyLevel(hair);
   interpolateWisps(hair.guides, collidersOf(hair.body(), hair.head), hair.wisps);
 }
 
 void frame(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
            FrameProfile& profile) {
-  takeLevel(hair);
-  // Hair that was made without it does not know what density it has at rest.
-  const bool selfCollision = settings.selfCollision && !hair.repulsion.allowed.empty();
-  const auto guidePoints =
-      static_cast<std::int64_t>(hair.guides.guideCount() * hair.guides.pointsPerGuide());
-  const auto points = static_cast<std::int64_t>(hair.wisps.points.size());
-  {
-    const StageTimer timer(profile, Stage::Guides, guidePoints);
-    if (!hair.body().asMany(body)) changeColliders(body, settings, hair);
-    const std::span<const LaneVec3> push =
-        selfCollision ? hair.repulsion.push : std::span<const LaneVec3>{};
-    const bool sheltered = selfCollision && settings.wind.shelter > 0 &&
-                           hair.repulsion.windShare.size() == hair.guides.position.size();
-    stepGuides({body.worldFromHead,
-                body.capsules,
-                hair.capsules,
-                hair.head,
-                settings.wind,
-                hair.time,
-                push,
-                sheltered ? hair.repulsion.windShare : std::span<const Lanes>{},
-                body.scenery,
-                {hair.planes, hair.meshes}},
-               settings.guides, seconds, hair.workspace, hair.guides);
-  }
-  {
-    const StageTimer timer(profile, Stage::Wisps, points);
-    interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
-  }
-  const int turns = selfCollision ? turnsDue(seconds, settings.repulsion, hair.repulsion) : 0;
-  if (turns > 0) {
-    const StageTimer timer(profile, Stage::SelfCollision, guidePoints);
-    measureDensity(feltStrands(settings.repulsion, hair), hair.groom->fibre, settings.repulsion,
-                   hair.repulsion.density);
-    for (int i = 0; i < turns; ++i) repel(hair.guides, settings.repulsion, hair.repulsion);
-    if (settings.wind.shelter > 0) shelter(hair.guides, settings.wind, hair.repulsion);
-  }
+  applyLevel(hair);
+  moveGuides(body, settings, seconds, hair, profile);
+  drawStrands(body, hair, profile);
+  repelFromDensity(settings, seconds, hair, profile);
   hair.remember(body);
   hair.time += seconds;
   light(settings, hair, profile);
 }
 
 void light(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
-  const std::size_t pointCount = hair.wisps.points.size();
-  const auto points = static_cast<std::int64_t>(pointCount);
-  hair.maps.resize(settings.shadow ? settings.lights.size() : 0);
-  hair.transmittance.resize(hair.maps.size() * pointCount);
-  for (std::size_t l = 0; l < hair.maps.size(); ++l) {
-    DensityMap& map = hair.maps[l];
-    {
-      const StageTimer timer(profile, Stage::Deposit, points);
-      clear(map, mapAt(hair.wisps.drawn.level, settings.map),
-            lightSpaceOf(settings.lights[l], hair.pivot()));
-      deposit(hair.strands(), hair.wisps.fibre(), map, 1, hair.wisps.drawn.weights);
-      forgiveWidth(hair.wisps, map);
-      if (settings.bodyShadow) {
-        if (hair.head) occlude(*hair.head, hair.worldFromHead, map);
-        occlude(hair.capsules, map);
-      }
-    }
-    {
-      const auto cells = static_cast<std::int64_t>(map.bricks.size() * brick::kCells);
-      const StageTimer timer(profile, Stage::Transmittance, cells);
-      computeTransmittance(map);
-    }
-    const StageTimer timer(profile, Stage::Filter, points);
-    sampleStrandTransmittance(map, hair.strands(),
-                              std::span(hair.transmittance).subspan(l * pointCount, pointCount));
-  }
-  hair.colours.resize(settings.shade ? pointCount : 0);
-  if (settings.shade) {
-    const StageTimer timer(profile, Stage::Shade, points);
-    shadeKajiyaKay(hair.strands(), hair.illumination(settings), settings.look, hair.colours);
-    fadeColours(hair.wisps, hair.colours);
-  }
+  shadow(settings, hair, profile);
+  shade(settings, hair, profile);
 }
 
 void restart(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/drawn_hair.h>
 #include <libhair/guides/contact.h>
 #include <libhair/model/groom.h>
 #include <libhair/model/level_of_detail.h>
@@ -49,6 +50,12 @@ struct Wisps {
     Fibre fibre = groom->fibre;
     fibre.hairsPerStrand *= drawn.wider;
     return fibre;
+  }
+  /// The same with all that the stages after this one need.
+  DrawnHair drawnHair() const {
+    const bool all = drawn.first.empty();
+    return {strands(), fibre(), drawn.weights,
+            all ? 1 : 1 + groom->fibre.hairsPerStrand * (drawn.wider - 1)};
   }
   /// Sample of the guide curves that point k of a strand of n points follows: the nearest, exact
   /// where strand and curves have as many points.

@@ -1,0 +1,121 @@
+#include <libhair/simulation/stages.h>
+
+#include <libhair/core/error.h>
+#include <libhair/density/deposit.h>
+#include <libhair/shadow/filter.h>
+#include <libhair/shadow/occlude.h>
+#include <libhair/shadow/transmittance.h>
+#include <libhair/simulation/scene_changes.h>
+
+namespace hair {
+
+namespace {
+
+std::int64_t guidePointsOf(const Hair& hair) {
+  return static_cast<std::int64_t>(hair.guides.guideCount() * hair.guides.pointsPerGuide());
+}
+
+std::int64_t pointsOf(const Hair& hair) {
+  return static_cast<std::int64_t>(hair.wisps.points.size());
+}
+
+// Hair that was made without self-collision does not know what density it has at rest.
+bool selfCollides(const FrameSettings& settings, const Hair& hair) {
+  return settings.selfCollision && !hair.repulsion.allowed.empty();
+}
+
+// What self-collision counts: the same strands at every level, or hair would move when its level
+// changes.
+StrandView countedStrands(const RepulsionSettings& settings, Hair& hair) {
+  if (hair.wisps.drawn.first.empty()) return hair.strands();
+  drawEvery(strideCounted(hair.groom->strandCount(), settings), hair.wisps, hair.felt);
+  return hair.felt;
+}
+
+// The light's map: drawn hair, and the body where settings ask for it.
+void fillMap(const DrawnHair& drawn, const Light& light, const FrameSettings& settings,
+             const Hair& hair, DensityMap& map) {
+  clear(map, mapAt(hair.wisps.drawn.level, settings.map), lightSpaceOf(light, hair.pivot()));
+  deposit(drawn.strands, drawn.fibre, map, 1, drawn.weights);
+  map.fibreShadow *= drawn.ownFibres;
+  if (!settings.bodyShadow) return;
+  if (hair.head) occlude(*hair.head, hair.worldFromHead, map);
+  occlude(hair.capsules, map);
+}
+
+}  // namespace
+
+void applyLevel(Hair& hair) {
+  if (hair.level == hair.wisps.drawn.level) return;
+  require(hair.detail,
+          "level of detail: Hair::level is set, but Hair::detail is null; make a "
+          "GroomDetail of the groom");
+  setLevel(*hair.detail, hair.level, hair.wisps);
+  hair.visibility.clear();  // of other points
+}
+
+void moveGuides(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
+                FrameProfile& profile) {
+  const StageTimer timer(profile, Stage::Guides, guidePointsOf(hair));
+  if (!hair.body().asMany(body)) changeColliders(body, settings, hair);
+  GuideMotion motion{body.worldFromHead, body.capsules, hair.capsules,
+                     hair.head,          settings.wind, hair.time};
+  motion.scenery = body.scenery;
+  motion.sceneryBefore = {hair.planes, hair.meshes};
+  if (selfCollides(settings, hair)) {
+    motion.push = hair.repulsion.push;
+    const bool measured = hair.repulsion.windShare.size() == hair.guides.position.size();
+    if (settings.wind.shelter > 0 && measured) motion.windShare = hair.repulsion.windShare;
+  }
+  stepGuides(motion, settings.guides, seconds, hair.workspace, hair.guides);
+}
+
+void drawStrands(const BodyState& body, Hair& hair, FrameProfile& profile) {
+  const StageTimer timer(profile, Stage::Wisps, pointsOf(hair));
+  interpolateWisps(hair.guides, collidersOf(body, hair.head), hair.wisps);
+}
+
+void repelFromDensity(const FrameSettings& settings, float seconds, Hair& hair,
+                      FrameProfile& profile) {
+  if (!selfCollides(settings, hair)) return;
+  const int turns = turnsDue(seconds, settings.repulsion, hair.repulsion);
+  if (turns == 0) return;
+  const StageTimer timer(profile, Stage::SelfCollision, guidePointsOf(hair));
+  measureDensity(countedStrands(settings.repulsion, hair), hair.groom->fibre, settings.repulsion,
+                 hair.repulsion.density);
+  for (int i = 0; i < turns; ++i) repel(hair.guides, settings.repulsion, hair.repulsion);
+  if (settings.wind.shelter > 0) shelter(hair.guides, settings.wind, hair.repulsion);
+}
+
+void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
+  const DrawnHair drawn = hair.wisps.drawnHair();
+  const std::size_t pointCount = drawn.strands.pointCount();
+  const std::int64_t points = pointsOf(hair);
+  hair.maps.resize(settings.shadow ? settings.lights.size() : 0);
+  hair.transmittance.resize(hair.maps.size() * pointCount);
+  for (std::size_t l = 0; l < hair.maps.size(); ++l) {
+    DensityMap& map = hair.maps[l];
+    {
+      const StageTimer timer(profile, Stage::Deposit, points);
+      fillMap(drawn, settings.lights[l], settings, hair, map);
+    }
+    {
+      const auto cells = static_cast<std::int64_t>(map.bricks.size() * brick::kCells);
+      const StageTimer timer(profile, Stage::Transmittance, cells);
+      computeTransmittance(map);
+    }
+    const StageTimer timer(profile, Stage::Filter, points);
+    sampleStrandTransmittance(map, drawn.strands,
+                              std::span(hair.transmittance).subspan(l * pointCount, pointCount));
+  }
+}
+
+void shade(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
+  hair.colours.resize(settings.shade ? hair.wisps.points.size() : 0);
+  if (!settings.shade) return;
+  const StageTimer timer(profile, Stage::Shade, pointsOf(hair));
+  shadeKajiyaKay(hair.strands(), hair.illumination(settings), settings.look, hair.colours);
+  fadeColours(hair.wisps, hair.colours);
+}
+
+}  // namespace hair

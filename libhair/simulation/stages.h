@@ -1,0 +1,30 @@
+#pragma once
+
+#include <libhair/simulation/frame.h>
+
+namespace hair {
+
+// The stages of a frame, in their order. Each calls one room of the library with what the hair
+// holds, and fills that room's field of the profile.
+
+/// Takes over Hair::level where it has changed. Throws Error without Hair::detail.
+void applyLevel(Hair& hair);
+
+/// guides/: moves the guide strands to where the body is after `seconds`.
+void moveGuides(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
+                FrameProfile& profile);
+
+/// wisps/: draws the strands that follow the guides.
+void drawStrands(const BodyState& body, Hair& hair, FrameProfile& profile);
+
+/// repulsion/: measures the density of the drawn hair, and what it pushes in the next frame.
+void repelFromDensity(const FrameSettings& settings, float seconds, Hair& hair,
+                      FrameProfile& profile);
+
+/// density/, shadow/: what of each light arrives at each point.
+void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile);
+
+/// shade/: the colours of all points.
+void shade(const FrameSettings& settings, Hair& hair, FrameProfile& profile);
+
+}  // namespace hair
