@@ -1,8 +1,6 @@
 #include <benchmarks/scenes.h>
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <utility>
 
 #include <libhair/core/state_hash.h>
@@ -24,8 +22,6 @@ std::unique_ptr<Subject> makeSubject(const SceneOptions& options) {
   if (options.strands > 0) style.strands = options.strands;
   if (options.points > 0) style.points = options.points;
   subject->groom = makeGroom(style, *subject->headCollider);
-  for (std::size_t g = 0; g < subject->groom.guideCount(); ++g)
-    subject->longestStrand = std::max(subject->longestStrand, arcLength(subject->groom.guide(g)));
   return subject;
 }
 
@@ -34,17 +30,6 @@ PerformanceOptions performanceOptions(const SceneOptions& options) {
   how.cells = options.cells;
   how.settle = options.settle;
   return how;
-}
-
-std::string hashOf(const Hair& hair) {
-  StateHash hash;
-  hair.guides.addTo(hash);
-  hash.add(std::span<const glm::vec3>(hair.wisps.points));
-  hash.add(std::span<const float>(hair.transmittance));
-  hash.add(std::span<const std::uint32_t>(hair.colours));
-  std::ostringstream out;
-  out << std::hex << std::setw(16) << std::setfill('0') << hash.value();
-  return out.str();
 }
 
 }  // namespace
@@ -66,7 +51,7 @@ Scene::Scene(const SceneOptions& options_)
       subject(makeSubject(options_)),
       performance(*subject, performanceOptions(options_)) {
   for (int f = 0; f < options.frames; ++f) performance.step();
-  hash = hashOf(performance.hair);
+  hash = hexText(pictureHash(performance.hair));
   strands.points = performance.hair.wisps.points;
   strands.first = subject->groom.first;
 }

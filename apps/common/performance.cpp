@@ -2,14 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <utility>
 
 #include <libhair/core/error.h>
-#include <libhair/core/state_hash.h>
-#include <libhair/guides/measure.h>
-#include <libhair/simulation/hair_state.h>
 
 namespace hair {
 
@@ -27,20 +22,18 @@ FrameSettings frameSettings(const Subject& subject, const PerformanceOptions& op
   for (Light& light : settings.lights)
     if (light.kind == Light::Kind::Parallel)
       light.direction = makeLightSpace(light.direction).direction();
-  const glm::vec3 headSize = bounds(subject.head.mesh.positions).size();
   settings.map.cells = options.cells;
-  settings.map.cellSize = mapExtentNeeded(subject.longestStrand, std::min(0.3f, headSize.y)) /
-                          static_cast<float>(options.cells);
+  const glm::vec3 headSize = bounds(subject.head.mesh.positions).size();
+  settings.map = fitMap(settings.map, subject.groom, std::min(0.3f, headSize.y));
   return settings;
 }
 
 Performance::Performance(const Subject& subject_, const PerformanceOptions& options)
     : subject(subject_),
       settings(frameSettings(subject_, options)),
-      hair(subject_.groom, settings,
-           {subject_.motion.pose(0).worldFromHead, subject_.motion.pose(0).capsules},
-           subject_.headCollider.get()),
       pose(subject_.motion.pose(0)),
+      simulation(borrowed(subject_.groom), settings, body(), borrowed(*subject_.headCollider)),
+      hair(simulation.hair()),
       fps_(options.fps),
       settle_(options.settle),
       motionSpeed_(options.motionSpeed) {
@@ -56,17 +49,16 @@ void Performance::begin() {
   time = 0;
   frame_ = 0;
   subject.motion.pose(0, pose);
-  hair::restart({pose.worldFromHead, pose.capsules}, settings, static_cast<float>(settle_), hair);
-  relight();
+  simulation.setSettings(settings);
+  simulation.restart(body(), static_cast<float>(settle_));
 }
 
 void Performance::resume(std::istream& state) {
-  restoreState(state, hair);
+  simulation.restore(state);
   log = {};
   frame_ = std::round(hair.time * fps_);
   time = frame_ / fps_ * motionSpeed_;
   subject.motion.pose(time, pose);
-  relight();
 }
 
 void Performance::step() {
@@ -81,52 +73,26 @@ void Performance::step() {
                            static_cast<std::int64_t>(pose.worldFromJoint.size()));
     subject.motion.pose(time, pose);
   }
-  frame({pose.worldFromHead, pose.capsules}, settings, static_cast<float>(1 / fps_), hair, profile);
+  simulation.setSettings(settings);
+  const FrameProfile& stages = simulation.step(body(), static_cast<float>(1 / fps_));
+  for (std::size_t s = 0; s < kStageCount; ++s)
+    if (static_cast<Stage>(s) != Stage::Motion) profile[s] = stages[s];
   log.add(profile);
 }
 
 void Performance::relight() {
-  FrameProfile unused{};
-  light(settings, hair, unused);
-}
-
-void Performance::setSelfCollision(bool on, const RepulsionSettings& repulsion) {
-  const bool sameMap = repulsion.kind == settings.repulsion.kind &&
-                       repulsion.cellSize == settings.repulsion.cellSize &&
-                       repulsion.cells == settings.repulsion.cells;
-  if (on && (hair.repulsion.allowed.empty() || !sameMap)) {
-    FrameSettings atRest = settings;
-    atRest.selfCollision = true;
-    atRest.repulsion = repulsion;
-    const BodyPose first = subject.motion.pose(0);
-    hair.repulsion = std::move(
-        Hair(*hair.groom, atRest, {first.worldFromHead, first.capsules}, hair.head).repulsion);
-  }
-  // What was felt before hair-hair contact was last off is of no use now.
-  if (!settings.selfCollision)
-    std::fill(hair.repulsion.push.begin(), hair.repulsion.push.end(), LaneVec3{});
-  settings.selfCollision = on;
-  settings.repulsion = repulsion;
+  simulation.setSettings(settings);
+  simulation.relight();
 }
 
 void StatsLog::add(const Performance& p) {
-  const GuideStats s =
-      measureGuides(p.hair.guides, p.settings.guides, p.pose.capsules, p.hair.head);
+  const GuideStats s = p.simulation.stats();
   rows_ += text(frames_++, ',', s.stretchMax, ',', s.stretchRms, ',', s.penetrationMax, ',',
                 s.kineticEnergy, ',', s.speedMax, '\n');
 }
 
 std::string StatsLog::csv() const {
   return rows_;
-}
-
-std::string stateHash(const Hair& hair) {
-  StateHash hash;
-  hair.guides.addTo(hash);
-  hash.add(std::span<const glm::vec3>(hair.wisps.points));
-  std::ostringstream out;
-  out << std::hex << std::setw(16) << std::setfill('0') << hash.value();
-  return out.str();
 }
 
 }  // namespace hair

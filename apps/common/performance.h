@@ -5,7 +5,7 @@
 
 #include <apps/common/subject.h>
 #include <libhair/core/profile.h>
-#include <libhair/simulation/frame.h>
+#include <libhair/simulation/simulation.h>
 
 namespace hair {
 
@@ -44,14 +44,14 @@ class Performance {
   void step();
   /// Shadows and shades again without moving (camera, light or settings have changed).
   void relight();
-  /// Turns self-collision on or off, or to other settings, in the middle of a performance. What the
-  /// groom allows is learnt again where that depends on them.
-  void setSelfCollision(bool on, const RepulsionSettings& repulsion);
+  /// Where head and body are at the end of the last frame.
+  BodyState body() const { return {pose.worldFromHead, pose.capsules}; }
 
   const Subject& subject;
   FrameSettings settings;  ///< may be changed between frames
-  Hair hair;
   BodyPose pose;           ///< at the end of the last frame
+  Simulation simulation;   ///< takes over `settings` with every call
+  Hair& hair;              ///< the simulation's
   FrameProfile profile{};  ///< of the last frame
   ProfileLog log;          ///< of all frames since the restart
   double time = 0;         ///< seconds of the motion
@@ -75,8 +75,5 @@ class StatsLog {
       "frame,stretch_max,stretch_rms,penetration_max_m,kinetic_energy_J,speed_max\n";
   std::size_t frames_ = 0;
 };
-
-/// 16 hexadecimal digits over the state of guides and drawn hair.
-std::string stateHash(const Hair& hair);
 
 }  // namespace hair

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <sstream>
 
+#include <libhair/core/state_hash.h>
 #include <libhair/files/atomic_write.h>
 
 namespace hair {
@@ -18,7 +19,7 @@ void writeResults(const ResultFiles& files, const Performance& performance, cons
             << performance.hair.strands().pointCount()
             << " points: " << log.milliseconds(Stage::Motion, Stage::Shade, 0.5)
             << " ms a frame (median, without drawing)\n";
-  if (files.hash) std::cout << "hash " << stateHash(performance.hair) << '\n';
+  if (files.hash) std::cout << "hash " << hexText(performance.simulation.stateHash()) << '\n';
 }
 
 std::string drawingTimes(const ProfileLog& log, const std::string& drawnBy) {

@@ -149,13 +149,6 @@ Motion makeMotion(const SubjectOptions& options, std::vector<std::string>& notes
   return motion;
 }
 
-float longest(const Groom& groom) {
-  float length = 0;
-  for (std::size_t g = 0; g < groom.guideCount(); ++g)
-    length = std::max(length, arcLength(groom.guide(g)));
-  return length;
-}
-
 }  // namespace
 
 Subject::Subject(const SubjectOptions& options)
@@ -163,7 +156,6 @@ Subject::Subject(const SubjectOptions& options)
       body(motion.body()),
       look(lookOf(options.hair.empty() ? options.style : Style::Smooth)) {
   makeHair(options);
-  longestStrand = longest(groom);
 }
 
 }  // namespace hair

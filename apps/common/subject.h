@@ -48,7 +48,6 @@ struct Subject {
   Motion motion;
   BodyMesh body;
   KajiyaKaySettings look;
-  float longestStrand = 0;  ///< metres
 
  private:
   void makeHair(const SubjectOptions& options);

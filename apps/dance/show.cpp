@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
-#include <libhair/simulation/scene_changes.h>
 
 namespace hair {
 
@@ -72,10 +71,9 @@ void Show::apply(const Controls& c) {
   staging.scene.sideBySide = c.shadow.view == ShadowView::SideBySide;
 
   if (c.selfCollision != applied_.selfCollision) {
-    RepulsionSettings repulsion = settings.repulsion;
-    repulsion.kind = c.selfCollision.kind;
-    repulsion.strength = c.selfCollision.strength;
-    performance.setSelfCollision(c.selfCollision.on, repulsion);
+    settings.selfCollision = c.selfCollision.on;
+    settings.repulsion.kind = c.selfCollision.kind;
+    settings.repulsion.strength = c.selfCollision.strength;
   }
   if (c.wind != applied_.wind) {
     settings.wind.velocity = velocityOf(c.wind);
@@ -102,16 +100,12 @@ void Show::takeOver(const draw::Scene& before) {
 
 // Hair of what an edit leaves.
 void Show::follow() {
-  Hair& hair = performance.hair;
-  Groom& next = edited_[hair.groom == &edited_[0] ? 1 : 0];
-  next = groomOf(editor_->hair());
-  changeGroom(next, performance.settings, hair);
+  performance.simulation.setGroom(std::make_shared<Groom>(groomOf(editor_->hair())));
   rest();
 }
 
 void Show::rest() {
-  restart(performance.hair.body(), performance.settings, 0, performance.hair);
-  performance.relight();
+  performance.simulation.restart(performance.simulation.body(), 0);
 }
 
 bool Show::edit(const draw::Pointer& pointer, glm::vec2 size) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,7 +49,6 @@ class Show {
   std::optional<HairMeshVertex> dragged_;
   glm::vec2 grip_{0}, cursor_{0};  // from the cursor to the dragged vertex, and where it was last
   std::string editFailure_;
-  std::array<Groom, 2> edited_;  // the hair's own, and the next
   double editMilliseconds_ = 0;
   Controls applied_;
   float mapExtent_;  // metres; the same for any number of cells

@@ -9,9 +9,7 @@
 #include <cstdio>
 #include <vector>
 
-#include <libhair/guides/measure.h>
-#include <libhair/model/styles.h>
-#include <libhair/simulation/frame.h>
+#include <libhair/hair.h>
 
 namespace {
 
@@ -52,26 +50,25 @@ float tipsTurned(const hair::GuideStrands& guides) {
 }  // namespace
 
 int main() {
-  const hair::MeshSdf head(hair::builtinHead().mesh);
-  const hair::Groom groom = hair::makeGroom(hair::styleSettings(hair::Style::Long), head);
+  const auto head = std::make_shared<hair::MeshSdf>(hair::builtinHead().mesh);
   hair::FrameSettings settings;
   settings.shadow = settings.shade = false;
 
   std::vector<hair::Capsule> capsules;
-  hair::Hair hair(groom, settings, body(pose(0), capsules), &head);
-  hair::restart(body(pose(0), capsules), settings, 0.5f, hair);  // it finds its way off the arms
-  hair::FrameProfile profile{};
+  hair::Simulation simulation(hair::makeGroom(hair::styleSettings(hair::Style::Long), *head),
+                              settings, body(pose(0), capsules), head);
+  simulation.restart(simulation.body(), 0.5f);  // it finds its way off the arms
   float deepest = 0, lag = 0;
   std::puts(" time   head turned   tips turned");
   for (int frame = 1; frame <= 120; ++frame) {
     const Rig rig = pose(static_cast<float>(frame) / 60);
-    hair::frame(body(rig, capsules), settings, 1.0f / 60, hair, profile);
-    const auto stats = hair::measureGuides(hair.guides, settings.guides, capsules, &head);
-    deepest = std::max(deepest, stats.penetrationMax);
+    simulation.step(body(rig, capsules), 1.0f / 60);
+    deepest = std::max(deepest, simulation.stats().penetrationMax);
     const glm::vec3 face = rig.head * glm::vec3(0, 0, 1);
-    const float turned = glm::degrees(std::atan2(face.x, face.z)), tips = tipsTurned(hair.guides);
+    const float turned = glm::degrees(std::atan2(face.x, face.z)),
+                tips = tipsTurned(simulation.hair().guides);
     lag = std::max(lag, std::abs(turned - tips));
-    if (frame % 10 == 0) std::printf("%.2f s  %8.0f°  %12.0f°\n", hair.time, turned, tips);
+    if (frame % 10 == 0) std::printf("%.2f s  %8.0f°  %12.0f°\n", simulation.time(), turned, tips);
   }
   std::printf("deepest guide point in head or flesh: %.2f mm\n", 1e3f * deepest);
   const bool good = lag > 20 && deepest < 2e-3f;

@@ -11,9 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include <libhair/core/parallel.h>
-#include <libhair/model/styles.h>
-#include <libhair/simulation/frame.h>
+#include <libhair/hair.h>
 
 namespace {
 
@@ -45,13 +43,9 @@ class MyPool : public hair::ThreadPool {
 std::uint64_t danced(const hair::Groom& groom, const hair::MeshSdf& head) {
   hair::FrameSettings settings;
   settings.wind.velocity = {3, 0, 1};
-  hair::Hair hair(groom, settings, {}, &head);
-  hair::FrameProfile profile{};
-  for (int f = 0; f < 10; ++f) hair::frame({}, settings, 1.0f / 60, hair, profile);
-  hair::StateHash hash;
-  hair.guides.addTo(hash);
-  hash.add(std::span<const std::uint32_t>(hair.colours));
-  return hash.value();
+  hair::Simulation simulation(hair::borrowed(groom), settings, {}, hair::borrowed(head));
+  for (int f = 0; f < 10; ++f) simulation.step({}, 1.0f / 60);
+  return hair::pictureHash(simulation.hair());
 }
 
 }  // namespace

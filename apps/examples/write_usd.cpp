@@ -9,9 +9,7 @@
 #include <cstdio>
 #include <exception>
 
-#include <libhair/files/strand_sequence.h>
-#include <libhair/model/styles.h>
-#include <libhair/simulation/frame.h>
+#include <libhair/hair.h>
 
 int main(int argc, char** argv) try {
   if (argc != 2) {
@@ -22,20 +20,18 @@ int main(int argc, char** argv) try {
   hair::StyleSettings style = hair::styleSettings(hair::Style::Smooth);
   style.wisps = 100;
   style.strands = 500;
-  const hair::MeshSdf head(hair::builtinHead().mesh);
-  const hair::Groom groom = hair::makeGroom(style, head);
+  const auto head = std::make_shared<hair::MeshSdf>(hair::builtinHead().mesh);
   hair::FrameSettings settings;
   settings.shadow = settings.shade = false;
   settings.wind = {.velocity = {4, 0, 1}, .gust = 0.8f};
-  hair::Hair hair(groom, settings, {}, &head);
+  hair::Simulation simulation(hair::makeGroom(style, *head), settings, {}, head);
 
   constexpr int kFrames = 24;
   constexpr double kRate = 24;
-  hair::FrameProfile profile{};
   hair::StrandSequenceWriter out(argv[1], {.fps = kRate, .firstFrame = 1});
   for (int frame = 0; frame < kFrames; ++frame) {
-    if (frame > 0) hair::frame({}, settings, static_cast<float>(1 / kRate), hair, profile);
-    out.add(hair.strands());
+    if (frame > 0) simulation.step({}, static_cast<float>(1 / kRate));
+    out.add(simulation.strands());
   }
   out.close();
 
@@ -47,7 +43,8 @@ int main(int argc, char** argv) try {
   float moved = 0, differs = 0;
   for (std::size_t p = 0; p < last.strands.points.size(); ++p) {
     moved = std::max(moved, glm::distance(last.strands.points[p], first.strands.points[p]));
-    differs = std::max(differs, glm::distance(last.strands.points[p], hair.strands().points[p]));
+    differs =
+        std::max(differs, glm::distance(last.strands.points[p], simulation.strands().points[p]));
   }
   std::printf(
       "%zu frames of %zu strands, %zu points; the last differs by %g m from what was made\n",

@@ -264,7 +264,7 @@ void runLod(const LodOptions& options) {
   for (const std::string& note : subject.notes) std::cerr << note << '\n';
   Performance performance(subject, options.performance);
   const GroomDetail detail(subject.groom);
-  performance.hair.detail = &detail;
+  performance.simulation.setDetail(borrowed(detail));
   std::vector<LodRow> rows;
   std::vector<Picture> sheet;
   {

@@ -10,7 +10,6 @@
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>
 #include <libhair/files/strand_sequence.h>
-#include <libhair/simulation/hair_state.h>
 
 namespace hair {
 
@@ -75,7 +74,7 @@ void runSimulate(const SimulateOptions& options) {
   }
   if (!options.saveState.empty())
     writeAtomically(options.saveState,
-                    [&](std::ostream& out) { saveState(performance.hair, out); });
+                    [&](std::ostream& out) { performance.simulation.save(out); });
   writeResults(options.results, performance, performance.log, stats);
   if (interruption.asked()) interruption.end();
 }

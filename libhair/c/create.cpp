@@ -26,7 +26,7 @@ hair_status create(hair_instance** out, Make&& make) {
   return computed([&] {
     given(out, "hair_instance");
     *out = nullptr;
-    *out = make();
+    *out = make().release();
   });
 }
 
@@ -57,7 +57,8 @@ hair_status hair_create_from_style(const hair_style* style, const hair_settings*
   return create(out, [&] {
     const hair::StyleSettings grown = styleOf(style);
     const auto head = hair::sharedSdf(hair::builtinHead().mesh);
-    return new hair_instance(makeGroom(grown, *head), head, settings, body);
+    return makeInstance(std::make_shared<hair::Groom>(makeGroom(grown, *head)), head, settings,
+                        body);
   });
 }
 
@@ -71,9 +72,10 @@ hair_status hair_create_from_strands(const hair_strands* strands, const hair_fib
     if (binding) b = taken(binding, b, "hair_binding");
     require(b.shape_weight >= 0 && b.shape_weight < 1e6f, "hair_binding: shape_weight ",
             b.shape_weight, " is not in [0, 1e6)");
-    hair::Groom groom = bindGroom(view, {b.guides, b.points_per_guide, b.shape_weight});
-    if (fibre) groom.fibre = fibreOf(*fibre);
-    return new hair_instance(std::move(groom), headOf(head), settings, body);
+    auto groom = std::make_shared<hair::Groom>(
+        bindGroom(view, {b.guides, b.points_per_guide, b.shape_weight}));
+    if (fibre) groom->fibre = fibreOf(*fibre);
+    return makeInstance(std::move(groom), headOf(head), settings, body);
   });
 }
 
@@ -87,10 +89,9 @@ hair_status hair_create_from_guides(const float* points, uint32_t guide_count,
             "hair_create_from_guides: ", guide_count, " guides of ", points_per_guide,
             " points are not 1 to 10000000 of 2 to ", hair::kMaxGuidePoints);
     const auto given = pointsOf(points, std::size_t{guide_count} * points_per_guide, "guides");
-    hair::Groom groom = groomOfGuides(given, points_per_guide);
-    hair::validate({groom.guidePoints, groom.first}, "guides", 2);
-    if (fibre) groom.fibre = fibreOf(*fibre);
-    return new hair_instance(std::move(groom), headOf(head), settings, body);
+    auto groom = std::make_shared<hair::Groom>(groomOfGuides(given, points_per_guide));
+    if (fibre) groom->fibre = fibreOf(*fibre);
+    return makeInstance(std::move(groom), headOf(head), settings, body);
   });
 }
 

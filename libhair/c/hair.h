@@ -133,13 +133,13 @@ typedef struct hair_settings {
   uint32_t link_solver;    /* HAIR_LINKS_... */
   uint32_t iterations;     /* of it a substep, 1 to 32 */
 
-  uint32_t self_collision;   /* R: a hair made without it has none later */
+  uint32_t self_collision;   /* learns the density at rest when it is first on */
   uint32_t repulsion_kind;   /* HAIR_REPEL_... */
   float repulsion_cell_size; /* metres */
   uint32_t repulsion_cells;  /* along each axis */
-  uint32_t repulsion_stride; /* every so many drawn strands are counted, for all; R */
-  float repulsion_threshold; /* metres of hair per m^3 that never push; R */
-  float repulsion_tolerance; /* nor does less than the groom's own density times this; R */
+  uint32_t repulsion_stride; /* every so many drawn strands are counted, for all */
+  float repulsion_threshold; /* metres of hair per m^3 that never push */
+  float repulsion_tolerance; /* nor does less than the groom's own density times this */
   float repulsion_strength;  /* m/s^2 where density is twice what it may be */
   float repulsion_limit;     /* m/s^2, the most */
   float repulsion_interval;  /* seconds */

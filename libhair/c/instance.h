@@ -1,32 +1,26 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include <libhair/c/convert.h>
+#include <libhair/simulation/simulation.h>
 
 /// A hair and all that it refers to, which stays where it is.
 struct hair_instance {
-  hair_instance(hair::Groom groom, std::shared_ptr<const hair::MeshSdf> head,
-                const hair_settings* settings, const hair_body* body);
+  template <class... Arguments>
+  explicit hair_instance(Arguments&&... arguments)
+      : simulation(std::forward<Arguments>(arguments)...) {}
 
-  hair::Groom groom;
-  std::shared_ptr<const hair::MeshSdf> head;
-  hair::FrameSettings settings;
-  hair::c::OwnBody body;  ///< as the last call gave it
-  hair::Hair hair;
-  hair::FrameProfile profile{};
-  std::optional<hair::GroomDetail> detail;  ///< made when a level is first asked for
+  hair::Simulation simulation;
+  hair::c::OwnBody body;  ///< room for the arrays of a call's body
 };
 
 namespace hair::c {
 
-/// Throws Error for what a frame would refuse, before it changes anything.
-void requireFrame(const BodyState& body, const std::vector<Light>& lights,
-                  const GuideStrands& guides);
-
-/// Throws Error for settings that some stage of a frame refuses.
-void tryOut(const FrameSettings& settings);
+/// Null for settings or body: the defaults.
+std::unique_ptr<hair_instance> makeInstance(std::shared_ptr<const Groom> groom,
+                                            std::shared_ptr<const MeshSdf> head,
+                                            const hair_settings* settings, const hair_body* body);
 
 /// Each guide drawn as it is.
 Groom groomOfGuides(std::span<const glm::vec3> points, std::uint32_t pointsPerGuide);

@@ -5,7 +5,6 @@
 
 #include <libhair/c/boundary.h>
 #include <libhair/c/instance.h>
-#include <libhair/simulation/hair_state.h>
 
 using namespace hair::c;
 using hair::require;
@@ -44,10 +43,10 @@ class Writing : public std::streambuf {
   std::size_t room_, size_ = 0;
 };
 
-std::size_t save(const hair::Hair& hair, void* bytes, std::size_t room) {
+std::size_t save(const hair::Simulation& simulation, void* bytes, std::size_t room) {
   Writing writing(bytes, room);
   std::ostream out(&writing);
-  saveState(hair, out);
+  simulation.save(out);
   return writing.size();
 }
 
@@ -55,7 +54,7 @@ std::size_t save(const hair::Hair& hair, void* bytes, std::size_t room) {
 
 hair_status hair_read(const hair_instance* hair, hair_view* view) {
   return guarded([&] {
-    const hair::Hair& h = given(hair, "hair_instance").hair;
+    const hair::Hair& h = given(hair, "hair_instance").simulation.hair();
     given(view, "hair_view");
     hair_view v{};
     v.light_count = static_cast<uint32_t>(h.maps.size());
@@ -76,12 +75,8 @@ hair_status hair_read(const hair_instance* hair, hair_view* view) {
 
 hair_status hair_state_hash(const hair_instance* hair, uint64_t* hash) {
   return guarded([&] {
-    hair::StateHash sum;
-    given(hair, "hair_instance");
     given(hash, "hash");
-    hair->hair.guides.addTo(sum);
-    sum.add(std::span<const glm::vec3>(hair->hair.wisps.points));
-    *hash = sum.value();
+    *hash = given(hair, "hair_instance").simulation.stateHash();
   });
 }
 
@@ -89,9 +84,9 @@ hair_status hair_save(const hair_instance* hair, void* bytes, size_t capacity, s
   return guarded([&] {
     given(hair, "hair_instance");
     given(size, "size");
-    const std::size_t needed = save(hair->hair, nullptr, 0);
+    const std::size_t needed = save(hair->simulation, nullptr, 0);
     require(!bytes || capacity >= needed, "hair_save: ", needed, " bytes, but room for ", capacity);
-    if (bytes) save(hair->hair, bytes, capacity);
+    if (bytes) save(hair->simulation, bytes, capacity);
     *size = needed;
   });
 }
@@ -102,8 +97,6 @@ hair_status hair_restore(hair_instance* hair, const void* bytes, size_t size) {
     require(bytes || size == 0, "hair_restore: bytes is null");
     Reading reading(bytes, size);
     std::istream in(&reading);
-    restoreState(in, hair->hair);
-    hair->body = {hair->hair.worldFromHead, hair->hair.capsules, hair->hair.planes};
-    light(hair->settings, hair->hair, hair->profile);
+    hair->simulation.restore(in);
   });
 }

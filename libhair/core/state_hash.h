@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <string>
 #include <type_traits>
 
 #include <libhair/core/api.h>
@@ -44,5 +45,12 @@ class StateHash {
   std::uint64_t state_ = 0x6c6962686169722full;
   std::uint64_t length_ = 0;
 };
+
+/// 16 hexadecimal digits: how programs print a hash.
+inline std::string hexText(std::uint64_t hash) {
+  std::string text(16, '0');
+  for (std::size_t i = 16; i-- > 0; hash >>= 4) text[i] = "0123456789abcdef"[hash & 15];
+  return text;
+}
 
 }  // namespace hair

@@ -7,8 +7,6 @@
 
 namespace hair {
 
-namespace {
-
 void validate(const DensityMapSettings& s) {
   require(s.cells >= 2 && s.cells <= 1024, "cells: ", s.cells, " is not in 2 to 1024");
   require(s.cellSize >= 1e-6f && s.cellSize <= 1e6f, "density map: cell size ", s.cellSize,
@@ -19,8 +17,6 @@ void validate(const DensityMapSettings& s) {
   require(s.pointExtinction >= 0 && std::isfinite(s.pointExtinction),
           "density map: point extinction ", s.pointExtinction, " is negative or not finite");
 }
-
-}  // namespace
 
 DensityMapSettings settingsForFootprint(float footprint, float extentNeeded, int mostCells) {
   require(footprint > 0 && extentNeeded > 0 && std::isfinite(footprint + extentNeeded),

@@ -59,6 +59,9 @@ struct DensityMapSettings {
   float extent() const { return static_cast<float>(cells) * cellSize; }
 };
 
+/// Throws Error that names the field and its range.
+void validate(const DensityMapSettings& settings);
+
 /// The extent (metres) that a map needs lest two ends of the hair fall into one cell: 2 l_max +
 /// h_max, for strands of length l_max on a head of largest dimension h_max (section 2.2).
 inline float mapExtentNeeded(float longestStrand, float headSize) {

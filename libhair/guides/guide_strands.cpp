@@ -39,10 +39,7 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
       points_(groom.pointsPerGuide),
       restGravity_(glm::length(settings.gravity)) {
   validate(settings);
-  require(guideCount_ > 0, "groom: no guides");
-  require(points_ >= 2 && points_ <= kMaxGuidePoints, "groom: ", points_,
-          " points a guide is not in 2 to ", kMaxGuidePoints,
-          "; sample guides at fewer points (BindSettings::pointsPerGuide)");
+  validateGuides(groom);
   const std::size_t groups = groupCount(), n = points_, links = n - 1;
   position.resize(groups * n);
   velocity.resize(groups * n);
@@ -59,8 +56,6 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
   curvature.resize(groups * links);
   jointStiffness.resize(groups * links);
   uneven.resize(groups);
-  require(groom.tied.empty() || groom.tied.size() == guideCount_, "groom: ties of ",
-          groom.tied.size(), " guides, but there are ", guideCount_);
   tied.assign(groups, 1);
   for (std::size_t slot = 0; slot < groups * kLanes; ++slot) {
     const std::size_t guide = std::min(slot, guideCount_ - 1), group = slot / kLanes,

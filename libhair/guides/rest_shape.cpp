@@ -134,9 +134,6 @@ RestShape makeRestShape(std::span<const glm::vec3> points, glm::vec3 rootNormal,
   const std::size_t links = points.size() - 1;
   for (std::size_t i = 0; i < links; ++i) {
     rest.linkLength[i] = glm::distance(points[i], points[i + 1]);
-    require(rest.linkLength[i] > 1e-6f && rest.linkLength[i] < 1e5f, "groom: guide ", guide,
-            " link ", i, " has length ", rest.linkLength[i],
-            " m, not in 1e-6 to 1e5; drop degenerate strands or check the scale");
   }
   for (std::size_t i = 0; i < links; ++i) {
     const float s = static_cast<float>(i) / static_cast<float>(links);

@@ -7,11 +7,9 @@
 
 #include <libhair/core/api.h>
 #include <libhair/guides/settings.h>
+#include <libhair/model/groom.h>
 
 namespace HAIR_API hair {
-
-/// Longest guide that the solver's scratch (on the stack, in the first-level cache) holds.
-inline constexpr std::uint32_t kMaxGuidePoints = 64;
 
 /// Links of a strand that differ by more are uneven: what one of them may pull is then no measure
 /// of what the next one may.

@@ -391,9 +391,7 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
   validate(motion.capsulesBefore);
   validate(motion.capsules);
   validatePush(motion.push);
-  require(motion.wind.valid(),
-          "wind: velocity must be below 200 m/s, gust and shelter in [0, 1], gustLength in [1e-3, "
-          "1e6) m");
+  validate(motion.wind);
   require(motion.windShare.empty() || motion.windShare.size() == guides.position.size(),
           "stepGuides: ", motion.windShare.size(), " shares of the wind for ",
           guides.position.size(), " groups of points");

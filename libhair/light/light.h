@@ -38,15 +38,24 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
+/// Throws Error for a colour that is negative, a direction without length, and numbers that are not
+/// finite.
+inline void validate(const Light& light) {
+  require(glm::dot(light.colour, light.colour) < 1e30f &&
+              glm::all(glm::greaterThanEqual(light.colour, glm::vec3(0))),
+          "light colour: (", light.colour.x, ", ", light.colour.y, ", ", light.colour.z,
+          ") is negative, too bright or no number");
+  if (light.kind == Light::Kind::Parallel) return void(makeLightSpace(light.direction));
+  require(glm::dot(light.position, light.position) < 1e30f, "point light: at (", light.position.x,
+          ", ", light.position.y, ", ", light.position.z, ") it is not finite, or beyond 1e15 m");
+}
+
 /// The frame of the light's map. `pivot` (metres): what a light at a point looks at, where a map's
 /// cells are as large as its settings say and the light's colour is what arrives; of no meaning to
 /// parallel light. Throws Error for a direction without length, a light in its pivot, and numbers
 /// that are not finite.
 inline LightSpace lightSpaceOf(const Light& light, glm::vec3 pivot) {
-  require(glm::dot(light.colour, light.colour) < 1e30f &&
-              glm::all(glm::greaterThanEqual(light.colour, glm::vec3(0))),
-          "light colour: (", light.colour.x, ", ", light.colour.y, ", ", light.colour.z,
-          ") is negative, too bright or no number");
+  validate(light);
   return light.kind == Light::Kind::Parallel ? makeLightSpace(light.direction)
                                              : makePointLightSpace(light.position, pivot);
 }

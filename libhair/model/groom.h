@@ -12,6 +12,10 @@
 
 namespace HAIR_API hair {
 
+/// Points of a guide, at the most: what the scratch of its solver holds on the stack, in the
+/// first-level cache.
+inline constexpr std::uint32_t kMaxGuidePoints = 64;
+
 /// A hairstyle at rest: guide strands, which are simulated, and how drawn strands follow them
 /// (Bertails et al. 2005, section 4.1; SIGGRAPH 2010 course, "Creating hair from guide strands").
 ///
@@ -53,5 +57,16 @@ struct Groom {
     return std::span(guidePoints).subspan(g * pointsPerGuide, pointsPerGuide);
   }
 };
+
+/// Throws Error that names the guide or strand: arrays that disagree, guides or points out of
+/// range, strands of fewer than 2 points, parents that are no guides, weights that do not sum to 1,
+/// numbers that are not finite, links shorter than 1e-6 or longer than 1e5 m.
+void validate(const Groom& groom);
+/// The part that guides need, and that which drawn strands need: for stages used alone.
+void validateGuides(const Groom& groom);
+void validateStrands(const Groom& groom);
+
+/// Arc length of the longest guide, metres; 0 without guides.
+float longestGuide(const Groom& groom);
 
 }  // namespace hair

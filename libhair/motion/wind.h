@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
+#include <libhair/core/error.h>
 
 namespace HAIR_API hair {
 
@@ -80,5 +81,13 @@ struct Wind {
     return field;
   }
 };
+
+/// Throws Error for a wind that is not valid().
+inline void validate(const Wind& wind) {
+  require(wind.valid(), "wind: (", wind.velocity.x, ", ", wind.velocity.y, ", ", wind.velocity.z,
+          ") m/s, gusts of ", wind.gust, " every ", wind.gustLength, " m or a shelter of ",
+          wind.shelter, " is out of range: speed below 200 m/s, gust and shelter in [0, 1], ",
+          "gustLength in [1e-3, 1e6) m");
+}
 
 }  // namespace hair

@@ -201,10 +201,14 @@ void push(const DensityMap& map, const RepulsionSettings& settings,
   HWY_DYNAMIC_DISPATCH(pushes)(map, settings, points.data(), allowed, points.size(), out);
 }
 
-void check(const RepulsionSettings& s) {
+}  // namespace
+
+void validate(const RepulsionSettings& s) {
   const auto field = [](bool good, const char* name, auto value, const char* range) {
     require(good, "repulsion settings: ", name, " = ", value, " is not in ", range);
   };
+  field(s.cells >= 2 && s.cells <= 1024, "cells", s.cells, "[2, 1024]");
+  field(s.cellSize >= 1e-6f && s.cellSize <= 1e6f, "cellSize", s.cellSize, "[1e-6, 1e6] m");
   field(s.strandStride >= 1, "strandStride", s.strandStride, "[1, ...)");
   field(s.threshold >= 0 && s.threshold < 1e30f, "threshold", s.threshold, "[0, 1e30) m/m^3");
   field(s.tolerance >= 1 && s.tolerance < 1e6f, "tolerance", s.tolerance, "[1, 1e6)");
@@ -212,8 +216,6 @@ void check(const RepulsionSettings& s) {
   field(s.limit >= 0 && s.limit < 1e12f, "limit", s.limit, "[0, 1e12) m/s^2");
   field(s.interval > 0 && s.interval <= 1, "interval", s.interval, "(0, 1] s");
 }
-
-}  // namespace
 
 int turnsDue(float seconds, const RepulsionSettings& settings, Repulsion& repulsion) {
   const float waited = repulsion.waiting + seconds;
@@ -244,7 +246,7 @@ void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSetting
 
 void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& guides,
                       const RepulsionSettings& settings, Repulsion& repulsion) {
-  check(settings);
+  validate(settings);
   measureDensity(drawn, fibre, settings, repulsion.density);
   const std::uint32_t n = guides.pointsPerGuide();
   repulsion.allowed.assign(guides.position.size(), lanes(0));
@@ -261,6 +263,13 @@ void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& 
     for (std::uint32_t i = 0; i < n; ++i)
       repulsion.allowed[g * n + i] = 0.5f * (repulsion.allowed[g * n + i] + most);
   }
+  repulsion.learntWith = settings;
+}
+
+bool sameRestDensity(const RepulsionSettings& a, const RepulsionSettings& b) {
+  return a.kind == b.kind && a.cellSize == b.cellSize && a.cells == b.cells &&
+         a.strandStride == b.strandStride && a.threshold == b.threshold &&
+         a.tolerance == b.tolerance;
 }
 
 void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repulsion& repulsion) {
@@ -280,7 +289,7 @@ void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repuls
 }
 
 void shelter(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion) {
-  require(wind.valid(), "shelter: the wind is not valid");
+  validate(wind);
   const std::size_t points = guides.position.size();
   repulsion.windShare.assign(points, lanes(1));
   if (wind.still() || wind.shelter == 0 || repulsion.density.empty()) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,10 +32,19 @@ struct RepulsionSettings {
   float interval = 1.0f / 60;       ///< seconds from call to call of repel (turnsDue), (0, 1]
 };
 
+/// Throws Error that names the field and its range.
+void validate(const RepulsionSettings& settings);
+
+/// Whether the density that a groom has at rest, and so what is allowed, is the same under both:
+/// where they agree in all but strength, limit and interval.
+bool sameRestDensity(const RepulsionSettings& a, const RepulsionSettings& b);
+
 /// What a groom at rest has of density at each guide point, and the push of the last frame.
 struct Repulsion {
-  DensityMap density;            ///< metres of hair per m³
-  std::vector<Lanes> allowed;    ///< [groupCount · pointsPerGuide], metres of hair per m³
+  DensityMap density;          ///< metres of hair per m³
+  std::vector<Lanes> allowed;  ///< [groupCount · pointsPerGuide], metres of hair per m³
+  /// The settings that `allowed` was learnt with; none: those of the next frame (a restored state).
+  std::optional<RepulsionSettings> learntWith;
   std::vector<LaneVec3> push;    ///< the same, m/s²; what stepGuides takes
   std::vector<Lanes> windShare;  ///< the same: of the wind that gets there; empty: all of it
   std::size_t turn = 0;          ///< which half of the groups repel looks at next

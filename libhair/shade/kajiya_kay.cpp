@@ -232,11 +232,7 @@ HWY_AFTER_NAMESPACE();
 
 namespace hair {
 
-namespace {
-
-HWY_EXPORT(shadeStrands);
-
-void check(const KajiyaKaySettings& s) {
+void validate(const KajiyaKaySettings& s) {
   const auto field = [](const char* name, float value, float least, float most) {
     require(value >= least && value <= most, "look: ", name, " = ", value, " is not in ", least,
             " to ", most);
@@ -256,9 +252,13 @@ void check(const KajiyaKaySettings& s) {
   field("secondShift", s.secondShift, -10, 10);
 }
 
+namespace {
+
+HWY_EXPORT(shadeStrands);
+
 void check(StrandView strands, const Illumination& illumination, const KajiyaKaySettings& settings,
            std::size_t room) {
-  check(settings);
+  validate(settings);
   const glm::vec3 eye = illumination.eye;
   require(glm::dot(eye, eye) < 1e30f, "eye: (", eye.x, ", ", eye.y, ", ", eye.z,
           ") is not finite, or beyond 1e15 m");

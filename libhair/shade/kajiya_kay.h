@@ -31,6 +31,9 @@ struct KajiyaKaySettings {
   static KajiyaKaySettings plain();
 };
 
+/// Throws Error that names the field and its range.
+void validate(const KajiyaKaySettings& settings);
+
 /// What lights the hair, and where it is seen from. Refers to the caller's arrays.
 struct Illumination {
   std::span<const Light> lights;  ///< empty: ambient light only

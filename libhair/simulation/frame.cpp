@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/core/state_hash.h>
 #include <libhair/guides/validate.h>
 #include <libhair/simulation/collider_fade_in.h>
 #include <libhair/simulation/stages.h>
@@ -12,6 +13,26 @@ namespace hair {
 
 ColliderState collidersOf(const BodyState& body, const MeshSdf* head) {
   return {body.worldFromHead, body.worldFromHead, body.capsules, body.capsules, head, body.scenery};
+}
+
+void validate(const FrameSettings& s) {
+  validate(s.guides);
+  validate(s.repulsion);
+  validate(s.wind);
+  for (const Light& light : s.lights) validate(light);
+  require(s.lights.size() <= 256, "frame settings: ", s.lights.size(), " lights; at most 256");
+  validate(s.map);
+  validate(s.look);
+  require(glm::dot(s.eye, s.eye) < 1e30f, "eye: (", s.eye.x, ", ", s.eye.y, ", ", s.eye.z,
+          ") is not finite, or beyond 1e15 m");
+}
+
+DensityMapSettings fitMap(const DensityMapSettings& settings, const Groom& groom, float headSize) {
+  DensityMapSettings fitted = settings;
+  fitted.cellSize =
+      mapExtentNeeded(longestGuide(groom), headSize) / static_cast<float>(settings.cells);
+  validate(fitted);
+  return fitted;
 }
 
 Hair::Hair(const Groom& groom_, const FrameSettings& settings, const BodyState& body,
@@ -48,6 +69,22 @@ DensityMapSettings mapAt(const LevelOfDetail& level, const DensityMapSettings& s
   return coarse;
 }
 
+std::uint64_t stateHash(const Hair& hair) {
+  StateHash hash;
+  hair.guides.addTo(hash);
+  hash.add(std::span<const glm::vec3>(hair.wisps.points));
+  return hash.value();
+}
+
+std::uint64_t pictureHash(const Hair& hair) {
+  StateHash hash;
+  hair.guides.addTo(hash);
+  hash.add(std::span<const glm::vec3>(hair.wisps.points));
+  hash.add(std::span<const float>(hair.transmittance));
+  hash.add(std::span<const std::uint32_t>(hair.colours));
+  return hash.value();
+}
+
 void redraw(Hair& hair) {
   applyLevel(hair);
   interpolateWisps(hair.guides, collidersOf(hair.body(), hair.head), hair.wisps);
@@ -56,6 +93,7 @@ void redraw(Hair& hair) {
 void frame(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
            FrameProfile& profile) {
   applyLevel(hair);
+  learnRestDensity(settings, hair);
   moveGuides(body, settings, seconds, hair, profile);
   drawStrands(body, hair, profile);
   repelFromDensity(settings, seconds, hair, profile);

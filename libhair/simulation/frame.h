@@ -24,8 +24,8 @@ namespace HAIR_API hair {
 /// memory.
 struct FrameSettings {
   GuideSettings guides;  ///< how guides move
-  /// Off: nothing pushes hair apart, and no density is measured. Hair made without it has none
-  /// later.
+  /// Off: nothing pushes hair apart, and no density is measured. The first frame with it learns
+  /// the density that the groom has at rest, and so does one with another grid or other limits.
   bool selfCollision = true;
   RepulsionSettings repulsion;  ///< how strongly hair pushes hair apart
   Wind wind;                    ///< still air by default
@@ -40,6 +40,14 @@ struct FrameSettings {
   KajiyaKaySettings look;  ///< colours and highlights
   glm::vec3 eye{0, 0, 1};  ///< where the picture is taken from, metres; highlights move with it
 };
+
+/// Throws Error that names the field and its range: whatever some stage of a frame would refuse.
+void validate(const FrameSettings& settings);
+
+/// The same settings with a map that is as large as this hair needs (mapExtentNeeded): cells of
+/// another size, as many as before. `headSize`: the head's largest dimension, metres.
+DensityMapSettings fitMap(const DensityMapSettings& settings, const Groom& groom,
+                          float headSize = 0.3f);
 
 /// Where head, body and scenery are at the end of a frame.
 struct BodyState {
@@ -85,8 +93,6 @@ struct Hair {
   std::vector<Plane> planes;            ///< scenery then
   std::vector<MeshCollider> meshes;     ///< scenery then
   double time = 0;                      ///< simulated seconds
-  GuideWorkspace workspace;             ///< scratch of stepGuides
-  StrandSet felt;  ///< scratch: strands that self-collision counts, where fewer are drawn
 
   /// The drawn strands of the last frame, world space.
   StrandView strands() const { return wisps.strands(); }
@@ -102,7 +108,18 @@ struct Hair {
   Illumination illumination(const FrameSettings& settings) const {
     return {settings.lights, pivot(), settings.eye, transmittance, visibility};
   }
+
+ private:
+  friend struct HairScratch;
+  GuideWorkspace workspace_;  // of stepGuides
+  StrandSet counted_;         // strands that self-collision counts, where fewer are drawn
 };
+
+/// 64 bits over guides and drawn points: equal on every machine, with any number of threads and any
+/// instruction set.
+std::uint64_t stateHash(const Hair& hair);
+/// The same with what is seen of them: transmittance and colours.
+std::uint64_t pictureHash(const Hair& hair);
 
 /// Moves the hair by `seconds`, to where the body is then, shadows and shades it. This is the whole
 /// pipeline: each line is a folder of the library, and fills its field of the profile.

@@ -261,6 +261,8 @@ void restoreState(std::istream& in, Hair& hair) {
   hair.planes = std::move(planes);
   hair.meshes = std::move(meshes);
   hair.repulsion.windShare = std::move(windShare);
+  // What was learnt by the run that was saved is of its settings, which this run has, too.
+  if (header.felt > 0) hair.repulsion.learntWith.reset();
   hair.repulsion.allowed = std::move(allowed);
   hair.repulsion.push = std::move(push);
   hair.repulsion.turn = header.turn;

@@ -7,6 +7,7 @@
 #include <libhair/geometry/mesh_sdf.h>
 #include <libhair/guides/validate.h>
 #include <libhair/simulation/collider_fade_in.h>
+#include <libhair/simulation/stages.h>
 
 namespace hair {
 
@@ -138,7 +139,7 @@ void changeColliders(const BodyState& body, const FrameSettings& settings, Hair&
           " capsules; take at most ", kMaxCapsules);
   validate(body.capsules);
   validate(body.scenery);
-  bringOut(body, settings.guides, hair.head, hair.workspace, hair.guides);
+  bringOut(body, settings.guides, hair.head, HairScratch::guides(hair), hair.guides);
   hair.remember({hair.worldFromHead, body.capsules, body.scenery});
 }
 
@@ -157,7 +158,7 @@ bool changeGroom(const Groom& groom, const FrameSettings& settings, Hair& hair) 
       next.repulsion.windShare = hair.repulsion.windShare;
     }
   }
-  bringOut(body, settings.guides, next.head, next.workspace, next.guides);
+  bringOut(body, settings.guides, next.head, HairScratch::guides(next), next.guides);
   interpolateWisps(next.guides, collidersOf(body, next.head), next.wisps);
   hair = std::move(next);
   return goesOn;

@@ -1,5 +1,8 @@
 #include <libhair/simulation/stages.h>
 
+#include <algorithm>
+#include <utility>
+
 #include <libhair/core/error.h>
 #include <libhair/density/deposit.h>
 #include <libhair/shadow/filter.h>
@@ -19,28 +22,53 @@ std::int64_t pointsOf(const Hair& hair) {
   return static_cast<std::int64_t>(hair.wisps.points.size());
 }
 
-// Hair that was made without self-collision does not know what density it has at rest.
-bool selfCollides(const FrameSettings& settings, const Hair& hair) {
-  return settings.selfCollision && !hair.repulsion.allowed.empty();
-}
-
 // What self-collision counts: the same strands at every level, or hair would move when its level
 // changes.
 StrandView countedStrands(const RepulsionSettings& settings, Hair& hair) {
   if (hair.wisps.drawn.first.empty()) return hair.strands();
-  drawEvery(strideCounted(hair.groom->strandCount(), settings), hair.wisps, hair.felt);
-  return hair.felt;
+  StrandSet& counted = HairScratch::counted(hair);
+  drawEvery(strideCounted(hair.groom->strandCount(), settings), hair.wisps, counted);
+  return counted;
 }
 
 // The light's map: drawn hair, and the body where settings ask for it.
-void fillMap(const DrawnHair& drawn, const Light& light, const FrameSettings& settings,
-             const Hair& hair, DensityMap& map) {
-  clear(map, mapAt(hair.wisps.drawn.level, settings.map), lightSpaceOf(light, hair.pivot()));
+void fillMap(const DrawnHair& drawn, const Light& light, const DensityMapSettings& cells,
+             const FrameSettings& settings, const Hair& hair, DensityMap& map) {
+  clear(map, cells, lightSpaceOf(light, hair.pivot()));
   deposit(drawn.strands, drawn.fibre, map, 1, drawn.weights);
   map.fibreShadow *= drawn.ownFibres;
   if (!settings.bodyShadow) return;
   if (hair.head) occlude(*hair.head, hair.worldFromHead, map);
   occlude(hair.capsules, map);
+}
+
+// Cells by which the hair is longer than it is in any other direction of the map.
+int extentInCells(const DensityMap& map) {
+  const glm::ivec3 size = map.upper - map.lower;
+  return std::max({size.x, size.y, size.z}) + 1;
+}
+
+// The same, with larger cells where the ends of the hair would share some. Cells grow in steps, so
+// that they keep their size while the hair moves a little; they depend on this frame's hair alone.
+void fillFittingMap(const DrawnHair& drawn, const Light& light, const FrameSettings& settings,
+                    const Hair& hair, DensityMap& map) {
+  constexpr float kStep = 1.25f;
+  constexpr int kMostRounds = 4;  // hair behind a light at a point fits into no map
+  DensityMapSettings cells = mapAt(hair.wisps.drawn.level, settings.map);
+  fillMap(drawn, light, cells, settings, hair, map);
+  for (int round = 0; map.aliased() && round < kMostRounds; ++round) {
+    float larger = kStep;
+    const float needed =
+        static_cast<float>(extentInCells(map)) / static_cast<float>(map.settings.cells - 1);
+    while (larger < needed) larger *= kStep;
+    cells.cellSize = std::min(larger * cells.cellSize, 1e6f);
+    fillMap(drawn, light, cells, settings, hair, map);
+  }
+}
+
+bool knowsRestDensity(const FrameSettings& settings, const Repulsion& repulsion) {
+  return !repulsion.allowed.empty() && repulsion.learntWith &&
+         sameRestDensity(*repulsion.learntWith, settings.repulsion);
 }
 
 }  // namespace
@@ -54,6 +82,24 @@ void applyLevel(Hair& hair) {
   hair.visibility.clear();  // of other points
 }
 
+void learnRestDensity(const FrameSettings& settings, Hair& hair) {
+  Repulsion& repulsion = hair.repulsion;
+  if (!settings.selfCollision) {
+    // What it pushed before is of no use when it is back.
+    std::fill(repulsion.push.begin(), repulsion.push.end(), LaneVec3{});
+    return;
+  }
+  if (!repulsion.allowed.empty() && !repulsion.learntWith)
+    repulsion.learntWith = settings.repulsion;
+  if (knowsRestDensity(settings, repulsion)) return;
+  const GuideStrands atRest(*hair.groom, settings.guides, hair.worldFromHead, hair.head);
+  const Wisps drawn(*hair.groom, atRest, hair.wisps.settings, hair.head);
+  const std::vector<LaneVec3> push = std::move(repulsion.push);
+  allowRestDensity(drawn.strands(), hair.groom->fibre, atRest, settings.repulsion, repulsion);
+  // The hair moves on: what pushes it does not stop.
+  if (!push.empty()) repulsion.push = push;
+}
+
 void moveGuides(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
                 FrameProfile& profile) {
   const StageTimer timer(profile, Stage::Guides, guidePointsOf(hair));
@@ -62,12 +108,12 @@ void moveGuides(const BodyState& body, const FrameSettings& settings, float seco
                      hair.head,          settings.wind, hair.time};
   motion.scenery = body.scenery;
   motion.sceneryBefore = {hair.planes, hair.meshes};
-  if (selfCollides(settings, hair)) {
+  if (settings.selfCollision) {
     motion.push = hair.repulsion.push;
     const bool measured = hair.repulsion.windShare.size() == hair.guides.position.size();
     if (settings.wind.shelter > 0 && measured) motion.windShare = hair.repulsion.windShare;
   }
-  stepGuides(motion, settings.guides, seconds, hair.workspace, hair.guides);
+  stepGuides(motion, settings.guides, seconds, HairScratch::guides(hair), hair.guides);
 }
 
 void drawStrands(const BodyState& body, Hair& hair, FrameProfile& profile) {
@@ -77,7 +123,7 @@ void drawStrands(const BodyState& body, Hair& hair, FrameProfile& profile) {
 
 void repelFromDensity(const FrameSettings& settings, float seconds, Hair& hair,
                       FrameProfile& profile) {
-  if (!selfCollides(settings, hair)) return;
+  if (!settings.selfCollision) return;
   const int turns = turnsDue(seconds, settings.repulsion, hair.repulsion);
   if (turns == 0) return;
   const StageTimer timer(profile, Stage::SelfCollision, guidePointsOf(hair));
@@ -97,7 +143,7 @@ void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
     DensityMap& map = hair.maps[l];
     {
       const StageTimer timer(profile, Stage::Deposit, points);
-      fillMap(drawn, settings.lights[l], settings, hair, map);
+      fillFittingMap(drawn, settings.lights[l], settings, hair, map);
     }
     {
       const auto cells = static_cast<std::int64_t>(map.bricks.size() * brick::kCells);

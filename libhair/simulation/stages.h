@@ -4,11 +4,22 @@
 
 namespace hair {
 
+/// What stages keep from frame to frame in a hair, lest a frame allocates memory.
+struct HairScratch {
+  static GuideWorkspace& guides(Hair& hair) { return hair.workspace_; }
+  static const GuideWorkspace& guides(const Hair& hair) { return hair.workspace_; }
+  static StrandSet& counted(Hair& hair) { return hair.counted_; }
+};
+
 // The stages of a frame, in their order. Each calls one room of the library with what the hair
 // holds, and fills that room's field of the profile.
 
 /// Takes over Hair::level where it has changed. Throws Error without Hair::detail.
 void applyLevel(Hair& hair);
+
+/// Learns what density the groom has at rest where self-collision needs it and does not know it
+/// under these settings; forgets what pushed while self-collision is off.
+void learnRestDensity(const FrameSettings& settings, Hair& hair);
 
 /// guides/: moves the guide strands to where the body is after `seconds`.
 void moveGuides(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,

@@ -15,26 +15,7 @@ namespace {
 void check(const Groom& groom, const WispSettings& settings) {
   require(settings.clearance >= 0 && settings.clearance < 0.1f,
           "wisp settings: clearance = ", settings.clearance, " is not in [0, 0.1) m");
-  const std::size_t strands = groom.strandCount();
-  require(groom.first.size() == strands + 1 && groom.weights.size() == strands, "groom: ", strands,
-          " strands, but ", groom.first.size(), " offsets and ", groom.weights.size(), " weights");
-  require(groom.offsets.empty() || groom.offsets.size() == groom.pointCount(),
-          "groom: ", groom.pointCount(), " points, but ", groom.offsets.size(), " offsets");
-  for (std::size_t s = 0; s < strands; ++s) {
-    require(groom.first[s] + 2 <= groom.first[s + 1], "groom: strand ", s,
-            " has fewer than 2 points");
-    for (int j = 0; j < 3; ++j)
-      require(groom.parents[s][j] < groom.guideCount(), "groom: strand ", s, " follows guide ",
-              groom.parents[s][j], " of ", groom.guideCount());
-    const glm::vec3 w = groom.weights[s];
-    require(std::abs(w.x + w.y + w.z - 1) < 1e-3f && glm::dot(w, w) < 1e6f,
-            "groom: weights of strand ", s, " are (", w.x, ", ", w.y, ", ", w.z,
-            "); they must sum to 1, and none may be beyond 1000");
-  }
-  for (std::size_t p = 0; p < groom.offsets.size(); ++p)
-    require(glm::dot(groom.offsets[p], groom.offsets[p]) < 1e10f, "groom: offset of point ", p,
-            " is (", groom.offsets[p].x, ", ", groom.offsets[p].y, ", ", groom.offsets[p].z,
-            ") m: not finite, or beyond 1e5 m");
+  validateStrands(groom);
 }
 
 std::uint32_t longestStrand(const Groom& groom) {

@@ -37,11 +37,8 @@ void bindMapFit(py::module_& m) {
       "fit_map",
       [](const FrameSettings& settings, const Groom& groom, float headSize, int cells) {
         FrameSettings fitted = settings;
-        float longest = 0;
-        for (std::size_t g = 0; g < groom.guideCount(); ++g)
-          longest = std::max(longest, arcLength(groom.guide(g)));
         fitted.map.cells = cells;
-        fitted.map.cellSize = mapExtentNeeded(longest, headSize) / static_cast<float>(cells);
+        fitted.map = fitMap(fitted.map, groom, headSize);
         return fitted;
       },
       py::arg("settings"), py::arg("groom"), py::arg("head_size") = 0.3f,

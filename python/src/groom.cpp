@@ -5,10 +5,8 @@
 #include <fstream>
 
 #include <libhair/core/error.h>
-#include <libhair/guides/guide_strands.h>
 #include <libhair/model/styles.h>
 #include <libhair/wisps/bind.h>
-#include <libhair/wisps/wisps.h>
 
 #include "choices.h"
 #include "topics.h"
@@ -30,18 +28,6 @@ py::array groomArray(const GroomPtr& groom, const std::vector<T>& items, Shape s
 template <class Scalar, class T>
 py::array rows(const GroomPtr& groom, const std::vector<T>& items) {
   return groomArray<Scalar>(groom, items, {static_cast<py::ssize_t>(items.size()), 3});
-}
-
-// The door: a groom from arrays must not lead a later pass out of them.
-void check(const Groom& groom) {
-  validate(StrandView{std::vector<glm::vec3>(groom.pointCount()), groom.first}, "groom", 2);
-  require(
-      groom.strandCount() + 1 == groom.first.size() && groom.weights.size() == groom.strandCount(),
-      "groom: ", groom.first.size() - 1, " strands, but ", groom.parents.size(), " parents and ",
-      groom.weights.size(), " weights");
-  // What simulates it looks at all the rest.
-  const GuideStrands guides(groom, {});
-  const Wisps wisps(groom, guides);
 }
 
 GroomPtr groomOf(const py::object& guidePoints, const py::object& first, const py::object& parents,
@@ -67,15 +53,8 @@ GroomPtr groomOf(const py::object& guidePoints, const py::object& first, const p
          groom->tied);
   groom->fibre = fibre;
   require(!groom->first.empty(), "groom: first is empty; of no strands it is [0]");
-  withoutLock([&] { check(*groom); });
+  withoutLock([&] { validate(*groom); });
   return groom;
-}
-
-float longestGuide(const Groom& groom) {
-  float longest = 0;
-  for (std::size_t g = 0; g < groom.guideCount(); ++g)
-    longest = std::max(longest, arcLength(groom.guide(g)));
-  return longest;
 }
 
 GroomPtr grow(const StyleSettings& settings, const Field& head) {

@@ -2,15 +2,10 @@
 #include "simulation.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iomanip>
 #include <sstream>
 
 #include <libhair/core/error.h>
 #include <libhair/core/state_hash.h>
-#include <libhair/guides/measure.h>
-#include <libhair/simulation/hair_state.h>
-#include <libhair/simulation/scene_changes.h>
 
 #include "choices.h"
 #include "topics.h"
@@ -27,7 +22,17 @@ float secondsOf(double seconds) {
 
 }  // namespace
 
-Simulation::Body Simulation::changed(Body body, const BodyChange& change) {
+// Where nothing is said, the body stands where it was.
+Simulation::Body Simulation::changed(const BodyChange& change) const {
+  Body body;
+  if (simulation_) {
+    const BodyState before = simulation_->body();
+    body.worldFromHead = before.worldFromHead;
+    body.capsules.assign(before.capsules.begin(), before.capsules.end());
+    body.planes.assign(before.scenery.planes.begin(), before.scenery.planes.end());
+    body.meshes.assign(before.scenery.meshes.begin(), before.scenery.meshes.end());
+    body.fields = fields_;
+  }
   if (change.pose) {
     body.worldFromHead = change.pose->worldFromHead;
     body.capsules = change.pose->capsules;
@@ -46,47 +51,53 @@ Simulation::Body Simulation::changed(Body body, const BodyChange& change) {
   return body;
 }
 
-Simulation::Simulation(GroomPtr groom, const FrameSettings& settings_, Field head,
-                       const BodyChange& body, const WispSettings& wisps)
-    : settings(settings_),
-      groom_(std::move(groom)),
-      head_(std::move(head)),
-      body_(changed({}, body)) {
+Simulation::Simulation(const GroomPtr& groom, const FrameSettings& settings_, const Field& head,
+                       const BodyChange& change, const WispSettings& wisps)
+    : settings(settings_) {
+  const Body body = changed(change);
   withoutLock([&] {
-    hair_ = std::make_shared<Hair>(*groom_, settings, body_.state(), head_.get(), wisps);
+    simulation_ = std::make_shared<hair::Simulation>(groom, settings, body.state(), head, wisps);
   });
+  fields_ = body.fields;
 }
 
 // Arrays that Python has of memory that the next call lets go.
 void Simulation::lettingGo() {
-  points_.letGo(hair_->wisps.points);
-  first_.letGo(hair_->wisps.drawn.first);
-  transmittance_.letGo(hair_->transmittance);
-  colours_.letGo(hair_->colours);
+  Hair& hair = simulation_->hair();
+  points_.letGo(hair.wisps.points);
+  first_.letGo(hair.wisps.drawn.first);
+  transmittance_.letGo(hair.transmittance);
+  colours_.letGo(hair.colours);
 }
 
 void Simulation::becoming() {
-  if (hair_->level != hair_->wisps.drawn.level) return lettingGo();
-  const std::size_t points = hair_->wisps.points.size();
+  Hair& hair = simulation_->hair();
+  if (hair.level != hair.wisps.drawn.level) return lettingGo();
+  const std::size_t points = hair.wisps.points.size();
   const std::size_t lights = settings.shadow ? settings.lights.size() : 0;
-  transmittance_.resizing(hair_->transmittance, lights * points);
-  colours_.resizing(hair_->colours, settings.shade ? points : 0);
+  transmittance_.resizing(hair.transmittance, lights * points);
+  colours_.resizing(hair.colours, settings.shade ? points : 0);
+}
+
+// A call that hands the body to the simulation. Another thread may change `settings` meanwhile: the
+// simulation has its own.
+template <class Call>
+void Simulation::withBody(Body next, Call&& call) {
+  simulation_->setSettings(settings);
+  fieldsGiven_ = next.fields;
+  withoutLock([&] { call(next.state()); });
+  fields_ = std::move(next.fields);
 }
 
 void Simulation::frameTo(Body next, double seconds) {
   becoming();
-  // Another thread may change the settings meanwhile.
-  const FrameSettings taken = settings;
-  FrameProfile profile{};
-  fieldsGiven_ = next.fields;
-  withoutLock([&] { frame(next.state(), taken, secondsOf(seconds), *hair_, profile); });
-  profile_ = profile;
-  body_ = std::move(next);
+  withBody(std::move(next),
+           [&](const BodyState& body) { simulation_->step(body, secondsOf(seconds)); });
 }
 
 void Simulation::step(double seconds, const BodyChange& change) {
   const Busy busy(busy_, "simulation");
-  frameTo(changed(body_, change), seconds);
+  frameTo(changed(change), seconds);
 }
 
 int Simulation::run(int frames, double seconds, const Motion* motion, std::optional<double> start,
@@ -97,7 +108,7 @@ int Simulation::run(int frames, double seconds, const Motion* motion, std::optio
     passInterrupts();
     {
       const Busy busy(busy_, "simulation");
-      Body next = body_;
+      Body next = changed({});
       if (motion) {
         BodyPose pose = motion->pose(begin + (i + 1) * seconds);
         next.worldFromHead = pose.worldFromHead;
@@ -113,138 +124,108 @@ int Simulation::run(int frames, double seconds, const Motion* motion, std::optio
 
 void Simulation::restart(double settle, const BodyChange& change) {
   const Busy busy(busy_, "simulation");
-  Body next = changed(body_, change);
-  const FrameSettings taken = settings;
-  // Settling makes neither shadows nor colours; light() makes them again.
-  if (hair_->level != hair_->wisps.drawn.level) lettingGo();
-  transmittance_.letGo(hair_->transmittance);
-  colours_.letGo(hair_->colours);
-  FrameProfile unused{};
-  fieldsGiven_ = next.fields;
-  withoutLock([&] {
-    hair::restart(next.state(), taken, secondsOf(settle), *hair_);
-    hair::light(taken, *hair_, unused);
-  });
-  body_ = std::move(next);
+  Body next = changed(change);
+  // Settling makes neither shadows nor colours, but the light after it does.
+  if (hair().level != hair().wisps.drawn.level) lettingGo();
+  transmittance_.letGo(simulation_->hair().transmittance);
+  colours_.letGo(simulation_->hair().colours);
+  withBody(std::move(next),
+           [&](const BodyState& body) { simulation_->restart(body, secondsOf(settle)); });
 }
 
 void Simulation::light() {
   const Busy busy(busy_, "simulation");
   becoming();
-  const FrameSettings taken = settings;
-  FrameProfile profile{};
-  withoutLock([&] {
-    if (hair_->level != hair_->wisps.drawn.level) redraw(*hair_);
-    hair::light(taken, *hair_, profile);
-  });
-  profile_ = profile;
+  simulation_->setSettings(settings);
+  withoutLock([&] { simulation_->relight(); });
 }
 
 void Simulation::teleport(const RigidTransform& worldFromHead) {
   const Busy busy(busy_, "simulation");
-  hair::teleport(worldFromHead, *hair_);
-  body_.worldFromHead = hair_->worldFromHead;
-  body_.capsules = hair_->capsules;
+  becoming();
+  simulation_->setSettings(settings);
+  withoutLock([&] { simulation_->teleport(worldFromHead); });
 }
 
 void Simulation::moveOrigin(glm::vec3 origin) {
   const Busy busy(busy_, "simulation");
-  hair::moveOrigin(origin, *hair_);
-  body_.worldFromHead = hair_->worldFromHead;
-  body_.capsules = hair_->capsules;
-  for (Plane& plane : body_.planes) plane.point -= origin;
-  for (MeshCollider& mesh : body_.meshes) mesh.worldFromMesh.translation -= origin;
+  simulation_->moveOrigin(origin);
 }
 
 void Simulation::changeColliders(const BodyChange& change) {
   const Busy busy(busy_, "simulation");
-  Body next = changed(body_, change);
-  const FrameSettings taken = settings;
-  fieldsGiven_ = next.fields;
-  withoutLock([&] { hair::changeColliders(next.state(), taken, *hair_); });
-  body_ = std::move(next);
+  withBody(changed(change), [&](const BodyState& body) { simulation_->changeColliders(body); });
 }
 
-bool Simulation::changeGroom(GroomPtr groom) {
+bool Simulation::changeGroom(const GroomPtr& groom) {
   const Busy busy(busy_, "simulation");
   lettingGo();
-  const FrameSettings taken = settings;
-  const bool goesOn = withoutLock([&] { return hair::changeGroom(*groom, taken, *hair_); });
-  groom_ = std::move(groom);
-  detail_.reset();
-  return goesOn;
+  simulation_->setSettings(settings);
+  return withoutLock([&] { return simulation_->setGroom(groom); });
 }
 
-void Simulation::setDetail(DetailPtr detail) {
+void Simulation::setDetail(const DetailPtr& detail) {
   const Busy busy(busy_, "simulation");
-  require(!detail || detail->strandCount() == groom_->strandCount(), "detail: of a groom of ",
-          detail ? detail->strandCount() : 0, " strands, but this one has ", groom_->strandCount());
-  require(detail || hair_->level == LevelOfDetail{}, "detail: None, but level needs one");
-  detail_ = std::move(detail);
-  hair_->detail = detail_.get();
+  simulation_->setDetail(detail);
 }
 
 void Simulation::setLevel(const LevelOfDetail& level) {
   const Busy busy(busy_, "simulation");
-  validate(level);
-  if (!detail_) detail_ = withoutLock([&] { return std::make_shared<GroomDetail>(*groom_); });
-  hair_->detail = detail_.get();
-  hair_->level = level;
+  withoutLock([&] { simulation_->setLevel(level); });
 }
 
 py::bytes Simulation::saveState() {
   const Busy busy(busy_, "simulation");
   std::ostringstream out(std::ios::binary);
-  hair::saveState(*hair_, out);
+  simulation_->save(out);
   return py::bytes(out.str());
 }
 
 void Simulation::restoreState(const py::bytes& state) {
   const Busy busy(busy_, "simulation");
-  points_.letGo(hair_->wisps.points);
+  becoming();
+  points_.letGo(simulation_->hair().wisps.points);
+  simulation_->setSettings(settings);
   std::istringstream in(std::string(state), std::ios::binary);
-  hair::restoreState(in, *hair_);
-  body_.worldFromHead = hair_->worldFromHead;
-  body_.capsules = hair_->capsules;
-  body_.planes = hair_->planes;
-  // Meshes are those that this hair has met, where there are as many.
-  if (body_.meshes.size() == hair_->meshes.size()) body_.meshes = hair_->meshes;
+  simulation_->restore(in);
 }
 
-const DetailPtr& Simulation::detail() const {
+DetailPtr Simulation::detail() const {
   requireIdle(busy_, "simulation");
-  return detail_;
+  return std::const_pointer_cast<GroomDetail>(simulation_->knownDetail());
 }
 
 const Hair& Simulation::idleHair() const {
   requireIdle(busy_, "simulation");
-  return *hair_;
+  return hair();
 }
 
 py::array Simulation::points() {
   const auto& points = idleHair().wisps.points;
-  return points_.view<float>(hair_, points, {static_cast<py::ssize_t>(points.size()), 3});
+  return points_.view<float>(simulation_, points, {static_cast<py::ssize_t>(points.size()), 3});
 }
 
 py::array Simulation::first() {
   requireIdle(busy_, "simulation");
-  const auto& drawn = hair_->wisps.drawn.first;
+  const auto& drawn = hair().wisps.drawn.first;
   if (!drawn.empty())
-    return first_.view<std::uint32_t>(hair_, drawn, {static_cast<py::ssize_t>(drawn.size())});
-  const auto& first = groom_->first;
-  return arrayOver(first.data(), {static_cast<py::ssize_t>(first.size())}, capsuleOf(groom_));
+    return first_.view<std::uint32_t>(simulation_, drawn, {static_cast<py::ssize_t>(drawn.size())});
+  const auto& first = simulation_->groom()->first;
+  return arrayOver(first.data(), {static_cast<py::ssize_t>(first.size())},
+                   capsuleOf(simulation_->groom()));
 }
 
 py::array Simulation::transmittance() {
   const auto& values = idleHair().transmittance;
-  const auto points = static_cast<py::ssize_t>(hair_->wisps.points.size());
+  const auto points = static_cast<py::ssize_t>(hair().wisps.points.size());
   const auto lights = points > 0 ? static_cast<py::ssize_t>(values.size()) / points : 0;
-  return transmittance_.view<float>(hair_, values, {lights, points});
+  return transmittance_.view<float>(simulation_, values, {lights, points});
 }
 
 py::array Simulation::colours() {
   const auto& values = idleHair().colours;
-  return colours_.view<std::uint8_t>(hair_, values, {static_cast<py::ssize_t>(values.size()), 4});
+  return colours_.view<std::uint8_t>(simulation_, values,
+                                     {static_cast<py::ssize_t>(values.size()), 4});
 }
 
 Strands Simulation::strands() {
@@ -262,19 +243,19 @@ py::array Simulation::guidePoints() const {
 
 py::object Simulation::visibility() const {
   if (idleHair().visibility.empty()) return py::none();
-  const auto points = static_cast<py::ssize_t>(hair_->wisps.points.size());
-  return arrayOf<float>(std::vector(hair_->visibility),
-                        {static_cast<py::ssize_t>(hair_->visibility.size()) / points, points});
+  const auto points = static_cast<py::ssize_t>(hair().wisps.points.size());
+  return arrayOf<float>(std::vector(hair().visibility),
+                        {static_cast<py::ssize_t>(hair().visibility.size()) / points, points});
 }
 
 void Simulation::setVisibility(const py::object& visibility) {
   const Busy busy(busy_, "simulation");
-  if (visibility.is_none()) return hair_->visibility.clear();
+  if (visibility.is_none()) return simulation_->hair().visibility.clear();
   const py::array given = requireArray(visibility, "visibility", py::dtype::of<float>(),
                                        {static_cast<py::ssize_t>(settings.lights.size()),
-                                        static_cast<py::ssize_t>(hair_->wisps.points.size())});
+                                        static_cast<py::ssize_t>(hair().wisps.points.size())});
   const auto values = spanOf<const float, float>(given);
-  hair_->visibility.assign(values.begin(), values.end());
+  simulation_->hair().visibility.assign(values.begin(), values.end());
 }
 
 double Simulation::time() const {
@@ -283,25 +264,22 @@ double Simulation::time() const {
 
 RigidTransform Simulation::worldFromHead() const {
   requireIdle(busy_, "simulation");
-  return body_.worldFromHead;
+  return simulation_->body().worldFromHead;
 }
 
 py::dict Simulation::profile() const {
   requireIdle(busy_, "simulation");
+  const FrameProfile& profile = simulation_->profile();
   py::dict stages;
   for (std::size_t s = 0; s < kStageCount; ++s)
     stages[py::str(std::string(stageName(static_cast<Stage>(s))))] =
-        py::make_tuple(static_cast<double>(profile_[s].nanoseconds) * 1e-6, profile_[s].items);
+        py::make_tuple(static_cast<double>(profile[s].nanoseconds) * 1e-6, profile[s].items);
   return stages;
 }
 
 py::dict Simulation::stats() {
   const Busy busy(busy_, "simulation");
-  const GuideSettings taken = settings.guides;
-  const GuideStats s = withoutLock([&] {
-    return measureGuides(hair_->guides, taken, body_.capsules, head_.get(),
-                         {body_.planes, body_.meshes});
-  });
+  const GuideStats s = withoutLock([&] { return simulation_->stats(); });
   py::dict all;
   all["stretch_max"] = s.stretchMax;
   all["stretch_rms"] = s.stretchRms;
@@ -312,20 +290,15 @@ py::dict Simulation::stats() {
 }
 
 std::string Simulation::stateHash() const {
-  const Hair& hair = idleHair();
-  StateHash hash;
-  hair.guides.addTo(hash);
-  hash.add(std::span<const glm::vec3>(hair.wisps.points));
-  std::ostringstream out;
-  out << std::hex << std::setw(16) << std::setfill('0') << hash.value();
-  return out.str();
+  requireIdle(busy_, "simulation");
+  return hexText(simulation_->stateHash());
 }
 
 // Whoever prints things to look for a fault wants no other one.
 std::string Simulation::repr() const {
   if (busy_) return "<Simulation: in use by another thread>";
-  return text("<Simulation: ", hair_->guides.guideCount(), " guides, ", hair_->wisps.points.size(),
-              " points, at ", hair_->time, " s>");
+  return text("<Simulation: ", hair().guides.guideCount(), " guides, ", hair().wisps.points.size(),
+              " points, at ", hair().time, " s>");
 }
 
 }  // namespace hair::python

@@ -2,9 +2,10 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include <libhair/simulation/frame.h>
+#include <libhair/simulation/simulation.h>
 
 #include "groom.h"
 #include "level_of_detail.h"
@@ -28,11 +29,11 @@ struct BodyChange {
   std::optional<std::vector<PlacedField>> meshes{};
 };
 
-/// A head of hair with all that it refers to.
+/// A hair::Simulation with what Python adds: arrays that stay valid, one thread at a time.
 class Simulation {
  public:
-  Simulation(GroomPtr groom, const FrameSettings& settings, Field head, const BodyChange& body,
-             const WispSettings& wisps);
+  Simulation(const GroomPtr& groom, const FrameSettings& settings, const Field& head,
+             const BodyChange& body, const WispSettings& wisps);
 
   void step(double seconds, const BodyChange& change);
   /// Frames with the motion's poses, or as the body stands. Returns how many it did.
@@ -43,11 +44,11 @@ class Simulation {
   void teleport(const RigidTransform& worldFromHead);
   void moveOrigin(glm::vec3 origin);
   void changeColliders(const BodyChange& change);
-  bool changeGroom(GroomPtr groom);
+  bool changeGroom(const GroomPtr& groom);
   py::bytes saveState();
   void restoreState(const py::bytes& state);
 
-  void setDetail(DetailPtr detail);
+  void setDetail(const DetailPtr& detail);
   /// Of the frames to come. Measures the groom where no detail was given.
   void setLevel(const LevelOfDetail& level);
 
@@ -67,33 +68,33 @@ class Simulation {
 
   /// The hair itself; throws where a call is at work on it.
   const Hair& idleHair() const;
-  const DetailPtr& detail() const;
+  DetailPtr detail() const;
   std::string repr() const;
 
   FrameSettings settings;
 
  private:
+  // What a call hands over: the arrays behind a BodyState, and the fields of its meshes.
   struct Body {
     RigidTransform worldFromHead;
     std::vector<Capsule> capsules;
     std::vector<Plane> planes;
     std::vector<MeshCollider> meshes;
-    std::vector<Field> fields;  // of the meshes
+    std::vector<Field> fields;
 
     BodyState state() const { return {worldFromHead, capsules, {planes, meshes}}; }
   };
-  static Body changed(Body body, const BodyChange& change);
+  Body changed(const BodyChange& change) const;
+  template <class Call>
+  void withBody(Body next, Call&& call);
   void frameTo(Body next, double seconds);
   void becoming();
   void lettingGo();
+  const Hair& hair() const { return std::as_const(*simulation_).hair(); }
 
-  GroomPtr groom_;
-  DetailPtr detail_;
-  Field head_;
-  Body body_;
-  std::vector<Field> fieldsGiven_;  // by the last call: hair_ may point at them where it threw
-  std::shared_ptr<Hair> hair_;
-  FrameProfile profile_{};
+  std::vector<Field> fields_;       // of the simulation's meshes
+  std::vector<Field> fieldsGiven_;  // by the last call: the hair may point at them where it threw
+  std::shared_ptr<hair::Simulation> simulation_;
   bool busy_ = false;
   SharedVector<glm::vec3> points_;
   SharedVector<float> transmittance_;

@@ -5,12 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <libhair/guides/measure.h>
 #include <libhair/model/head.h>
 #include <libhair/model/styles.h>
 #include <libhair/motion/motion.h>
-#include <libhair/simulation/frame.h>
 #include <libhair/simulation/hair_state.h>
+#include <libhair/simulation/simulation.h>
 
 namespace hair::test {
 
@@ -27,7 +26,8 @@ struct Scene {
   Motion motion;
   FrameSettings settings;
   BodyPose pose;  // before the hair, which starts on it
-  Hair hair;
+  Simulation simulation;
+  Hair& hair;
   FrameProfile profile{};
   double time = 0;
 
@@ -35,7 +35,8 @@ struct Scene {
       : groom(makeGroom(style, collider)),
         motion(std::move(motion_)),
         settings(settings_),
-        hair(groom, settings, bodyAt(0), &collider) {}
+        simulation(borrowed(groom), settings, bodyAt(0), borrowed(collider)),
+        hair(simulation.hair()) {}
 
   static FrameSettings simulationOnly() {
     FrameSettings settings;
@@ -48,17 +49,11 @@ struct Scene {
   }
   void step(float seconds = 1.0f / 60) {
     time += seconds;
-    frame(bodyAt(time), settings, seconds, hair, profile);
+    simulation.setSettings(settings);
+    profile = simulation.step(bodyAt(time), seconds);
   }
-  GuideStats stats() const {
-    return measureGuides(hair.guides, settings.guides, pose.capsules, &collider);
-  }
-  std::uint64_t hash() const {
-    StateHash hash;
-    hair.guides.addTo(hash);
-    hash.add(std::span<const glm::vec3>(hair.wisps.points));
-    return hash.value();
-  }
+  GuideStats stats() const { return simulation.stats(); }
+  std::uint64_t hash() const { return simulation.stateHash(); }
 };
 
 /// Fewer guides and strands, so that a test can afford many frames.

@@ -13,7 +13,8 @@ import libhair
 from libhair import Error
 
 from . import axes, curves
-from .simulate import replace, reported
+from .operators import reported
+from .simulate import replace
 
 
 class _Growth:

@@ -6,7 +6,7 @@ import bpy
 
 from libhair import Error
 
-from . import cache, curves
+from . import cache, curves, shadow
 
 _silent = 0
 
@@ -35,8 +35,6 @@ def show(hair, scene):
 
 @bpy.app.handlers.persistent
 def on_frame(scene, graph=None):
-    from . import shadow
-
     if _silent:
         return
     for hair in scene.objects:

@@ -9,8 +9,8 @@ import libhair
 from libhair import Error
 
 from . import axes, curves
+from .operators import reported
 from .rig import head_of
-from .simulate import reported
 
 NAME = "shadow"
 

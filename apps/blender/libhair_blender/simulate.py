@@ -1,6 +1,5 @@
 """Moves hair along the scene's frames and keeps every frame in a file."""
 
-import functools
 import os
 import re
 import time
@@ -13,22 +12,9 @@ import libhair
 from libhair import Error
 
 from . import axes, cache, curves, playback
+from .operators import reported
 from .rig import Rig
 from .settings import copy
-
-
-def reported(execute):
-    """An operator's execute whose Error is said in Blender's way."""
-
-    @functools.wraps(execute)
-    def wrapper(self, context):
-        try:
-            return execute(self, context)
-        except (Error, OSError) as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-
-    return wrapper
 
 
 def frame_settings(hair, scene):

@@ -2,6 +2,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/measure/motion/feature_cost.h>
+#include <libhair/simulation/stages.h>
 
 namespace hair {
 
@@ -154,11 +155,12 @@ std::size_t hairBytes(const Hair& hair) {
   const GuideStrands& g = hair.guides;
   const Wisps& w = hair.wisps;
   const Groom& groom = *hair.groom;
+  const GuideWorkspace& scratch = HairScratch::guides(hair);
   return bytesOfAll(g.position, g.velocity, g.tension, g.restPosition, g.rootTangent, g.rootNormal,
                     g.linkLength, g.restTension, g.curvature, g.jointStiffness, g.pointMass,
                     g.clearance) +
-         bytesOfAll(hair.workspace.bending.inverseD, hair.workspace.bending.below1,
-                    hair.workspace.bending.below2, hair.workspace.heads, hair.workspace.capsules) +
+         bytesOfAll(scratch.bending.inverseD, scratch.bending.below1, scratch.bending.below2,
+                    scratch.heads, scratch.capsules) +
          bytesOfAll(groom.guidePoints, groom.first, groom.parents, groom.weights, groom.offsets) +
          bytesOfAll(w.points, w.curves.basis, w.curves.rows, w.curves.lower, w.curves.upper,
                     w.rootOffsets, w.clearance, w.sampleTable, w.tableOf, w.obstacles.axes,

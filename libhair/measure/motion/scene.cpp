@@ -24,8 +24,10 @@ BodyState stateOf(const MeasuredScene& scene, const BodyPose& pose) {
 ScenePlayer::ScenePlayer(const MeasuredScene& scene_)
     : scene(scene_),
       pose(firstPose(scene_)),
-      hair(*scene.groom, scene.settings, stateOf(scene, pose), scene.head, scene.wisps) {
-  restart(body(), scene.settings, scene.settle, hair);
+      simulation(scene.groom, scene.settings, stateOf(scene, pose),
+                 scene.head ? borrowed(*scene.head) : nullptr, scene.wisps),
+      hair(simulation.hair()) {
+  simulation.restart(body(), scene.settle);
 }
 
 BodyState ScenePlayer::body() const {
@@ -33,10 +35,10 @@ BodyState ScenePlayer::body() const {
 }
 
 void ScenePlayer::step() {
-  profile = {};
   ++frames;
   scene.pose(static_cast<double>(frames) * scene.frameSeconds, pose);
-  frame(body(), scene.settings, scene.frameSeconds, hair, profile);
+  simulation.setSettings(scene.settings);
+  profile = simulation.step(body(), scene.frameSeconds);
 }
 
 }  // namespace hair

@@ -5,7 +5,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/motion/motion.h>
-#include <libhair/simulation/frame.h>
+#include <libhair/simulation/simulation.h>
 
 namespace HAIR_API hair {
 
@@ -23,17 +23,10 @@ struct MeasuredScene {
   float settle = 1;                ///< seconds in the first pose before the first frame, >= 0
 };
 
-/// A groom that somebody else keeps.
-inline std::shared_ptr<const Groom> borrowed(const Groom& groom) {
-  return {std::shared_ptr<void>{}, &groom};
-}
-
 /// A scene under way: its hair, and where its body is.
 struct ScenePlayer {
-  /// Settled in the first pose. Throws Error: no groom, no pose, and as Hair and restart do.
+  /// Settled in the first pose. Throws Error: no groom, no pose, and as Simulation does.
   explicit ScenePlayer(const MeasuredScene& scene);
-  ScenePlayer(const ScenePlayer&) = delete;  // Hair keeps references
-  ScenePlayer& operator=(const ScenePlayer&) = delete;
 
   /// One frame on.
   void step();
@@ -42,7 +35,8 @@ struct ScenePlayer {
 
   MeasuredScene scene;      ///< a copy of what was asked for
   BodyPose pose;            ///< at the last frame's end
-  Hair hair;                ///< as the last frame left it
+  Simulation simulation;    ///< takes over the scene's settings with every frame
+  Hair& hair;               ///< the simulation's, as the last frame left it
   FrameProfile profile{};   ///< of the last frame
   std::int64_t frames = 0;  ///< so far
 };

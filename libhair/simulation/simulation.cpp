@@ -1,0 +1,156 @@
+#include <libhair/simulation/simulation.h>
+
+#include <utility>
+
+#include <libhair/core/error.h>
+#include <libhair/guides/validate.h>
+#include <libhair/simulation/hair_state.h>
+#include <libhair/simulation/scene_changes.h>
+
+namespace hair {
+
+namespace {
+
+const Groom& checked(const std::shared_ptr<const Groom>& groom) {
+  require(groom != nullptr, "simulation: no groom");
+  validate(*groom);
+  return *groom;
+}
+
+const FrameSettings& checked(const FrameSettings& settings) {
+  validate(settings);
+  return settings;
+}
+
+}  // namespace
+
+void Simulation::OwnedBody::assign(const BodyState& body) {
+  const auto copy = []<class T>(std::span<const T> from, std::vector<T>& to) {
+    if (from.data() != to.data()) to.assign(from.begin(), from.end());
+  };
+  worldFromHead = body.worldFromHead;
+  copy(body.capsules, capsules);
+  copy(body.scenery.planes, planes);
+  copy(body.scenery.meshes, meshes);
+}
+
+Simulation::Simulation(std::shared_ptr<const Groom> groom, const FrameSettings& settings,
+                       const BodyState& body, std::shared_ptr<const MeshSdf> head,
+                       const WispSettings& wisps)
+    : groom_(std::move(groom)),
+      head_(std::move(head)),
+      settings_(checked(settings)),
+      hair_(checked(groom_), settings_, body, head_.get(), wisps) {
+  requireFrame(body);
+  body_.assign(body);
+  relight();
+}
+
+// What a frame would refuse, before it changes anything.
+void Simulation::requireFrame(const BodyState& body) const {
+  require(body.capsules.size() <= kMaxCapsules, "body: ", body.capsules.size(),
+          " capsules; at most ", kMaxCapsules);
+  validate(body.worldFromHead);
+  validate(body.capsules);
+  validate(body.scenery);
+  requirePrecision(hair_.guides, body.worldFromHead);
+  for (const Light& light : settings_.lights) lightSpaceOf(light, body.worldFromHead.translation);
+}
+
+const FrameProfile& Simulation::step(const BodyState& body, float seconds) {
+  require(seconds >= 1e-6f && seconds <= 1, "step: ", seconds, " s are not in 1e-6 to 1");
+  requireFrame(body);
+  profile_ = {};
+  frame(body, settings_, seconds, hair_, profile_);
+  body_.assign(body);
+  return profile_;
+}
+
+const FrameProfile& Simulation::relight() {
+  profile_ = {};
+  if (hair_.level != hair_.wisps.drawn.level) redraw(hair_);
+  light(settings_, hair_, profile_);
+  return profile_;
+}
+
+void Simulation::restart(const BodyState& body, float settle) {
+  requireFrame(body);
+  hair::restart(body, settings_, settle, hair_);
+  body_.assign(body);
+  relight();
+}
+
+void Simulation::teleport(const RigidTransform& worldFromHead) {
+  requireFrame({worldFromHead, {}});
+  hair::teleport(worldFromHead, hair_);
+  body_.worldFromHead = worldFromHead;
+  body_.capsules = hair_.capsules;
+  relight();
+}
+
+void Simulation::moveOrigin(glm::vec3 origin) {
+  hair::moveOrigin(origin, hair_);
+  body_.worldFromHead = hair_.worldFromHead;
+  body_.capsules = hair_.capsules;
+  for (Plane& plane : body_.planes) plane.point -= origin;
+  for (MeshCollider& mesh : body_.meshes) mesh.worldFromMesh.translation -= origin;
+}
+
+void Simulation::changeColliders(const BodyState& body) {
+  hair::changeColliders(body, settings_, hair_);
+  body_.assign(body);
+}
+
+void Simulation::setSettings(const FrameSettings& settings) {
+  validate(settings);
+  for (const Light& light : settings.lights) lightSpaceOf(light, hair_.pivot());
+  settings_ = settings;
+}
+
+bool Simulation::setGroom(std::shared_ptr<const Groom> groom) {
+  const bool goesOn = changeGroom(checked(groom), settings_, hair_);
+  groom_ = std::move(groom);
+  detail_.reset();
+  return goesOn;
+}
+
+void Simulation::setLevel(const LevelOfDetail& level) {
+  validate(level);
+  if (level != LevelOfDetail{} || detail_) detail();
+  hair_.level = level;
+}
+
+void Simulation::setDetail(std::shared_ptr<const GroomDetail> detail) {
+  require(!detail || detail->strandCount() == groom_->strandCount(), "detail: of a groom of ",
+          detail ? detail->strandCount() : 0, " strands, but this one has ", groom_->strandCount());
+  require(detail || hair_.level == LevelOfDetail{}, "detail: none, but the level needs one");
+  detail_ = std::move(detail);
+  hair_.detail = detail_.get();
+}
+
+const std::shared_ptr<const GroomDetail>& Simulation::detail() {
+  if (!detail_) detail_ = std::make_shared<GroomDetail>(*groom_);
+  hair_.detail = detail_.get();
+  return detail_;
+}
+
+void Simulation::save(std::ostream& out) const {
+  saveState(hair_, out);
+}
+
+void Simulation::restore(std::istream& in) {
+  restoreState(in, hair_);
+  body_.worldFromHead = hair_.worldFromHead;
+  body_.capsules = hair_.capsules;
+  body_.planes = hair_.planes;
+  // Meshes are those that this hair has met, where there are as many.
+  if (body_.meshes.size() == hair_.meshes.size()) body_.meshes = hair_.meshes;
+  relight();
+}
+
+GuideStats Simulation::stats() const {
+  return measureGuides(hair_.guides, settings_.guides, body_.capsules, head_.get(),
+                       {body_.planes, body_.meshes});
+}
+
+}  // namespace hair
