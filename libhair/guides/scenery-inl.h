@@ -118,8 +118,8 @@ HWY_INLINE bool nearerMesh(const Vec3& p, const MeshPlace& mesh, Floats keep, Fl
 /// distance between them.
 struct MeshClearance {
   Floats left = 0.0f;
-  bool
-      swallowed;  ///< a mesh covers an anchored point: the required distance grows along the strand
+  /// A mesh covers an anchored point: required distances grow too, at most as fast as the path.
+  bool swallowed;
 
   HWY_INLINE explicit MeshClearance(const NearScenery& scenery)
       : swallowed(std::ranges::any_of(

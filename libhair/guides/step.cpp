@@ -4,8 +4,7 @@
 //        |  predict    x = position + h velocity; force = gravity, air, push, tension
 //        |  pin        put the root and tied points on the head
 //        |  bend       x += (M / h² + K)⁻¹ (force - grad E(x))                  bending-inl.h
-//        |  contacts   find the nearest collider's plane, n · x >= offset       contact-,
-//        scenery-inl.h
+//        |  contacts   find the nearest collider's plane, n · x >= offset       contact-inl.h
 //    .-> |  links      push x out of the planes, solve |x_(i+1) - x_i| = l_i    links-inl.h
 //    '-- |  recheck    find new planes for points that the links moved far
 //        v
