@@ -61,9 +61,9 @@ struct WispObstacles {
   }
 };
 
-/// Copies the colliders, and measures the room of the guide curves among
-/// them. Drawn points keep `clearance` metres, from the head at most that. Threads over guides.
-/// Throws Error for more than 64 capsules, and for invalid scenery.
+/// Copies the colliders, and measures the room of the guide curves among them. Drawn points keep
+/// `clearance` metres, from the head at most that. Threads over guides. Throws Error for more than
+/// 64 capsules, and for invalid scenery.
 void findObstacles(const ColliderState& colliders, float clearance, const GuideCurves& curves,
                    WispObstacles& obstacles);
 
