@@ -121,7 +121,7 @@ HWY_INLINE Ints select(Mask m, Ints yes, Ints no) {
       hn::IfThenElse(hn::RebindMask(IntTag(), m.part[p]), yes.part[p], no.part[p]);
   return r;
 }
-/// As std::min and std::max of scalars: b where one is NaN, and zeros of both signs are equal.
+/// a < b ? a : b and a > b ? a : b, so b where one is NaN, or both are zeros.
 // Just what these instructions do.
 HAIR_BINARY(Floats, min, Min);
 HAIR_BINARY(Floats, max, Max);

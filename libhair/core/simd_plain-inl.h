@@ -101,7 +101,7 @@ inline Ints select(const Mask& m, const Ints& yes, const Ints& no) {
 inline Floats select(const Mask& m, const Floats& yes, const Floats& no) {
   return asFloats(select(m, asInts(yes), asInts(no)));
 }
-/// As std::min and std::max of scalars: b where one is NaN, and zeros of both signs are equal.
+/// a < b ? a : b and a > b ? a : b, so b where one is NaN, or both are zeros.
 inline Floats min(const Floats& a, const Floats& b) {
   return select(a < b, a, b);
 }
