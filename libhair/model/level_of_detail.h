@@ -68,7 +68,7 @@ struct GroomDetail {
   std::array<float, kShares> deviation_{}, lengthKept_{};
 };
 
-/// What a picture needs of hair, per pixel. The defaults are measured (docs/level_of_detail.md).
+/// What a picture needs of hair, per pixel. The defaults are measured (docs/measurements.md).
 struct DetailSettings {
   float strandsPerPixel = 40;  ///< strands of the whole groom, per pixel of the head's height
   float pixelsOff = 0.05f;     ///< how far strands may be from where they were, pixels
