@@ -118,6 +118,7 @@ def page_for_doxygen(file, text):
 
     def link(match):
         image, label, target = match.groups()
+        label = " ".join(label.split())  # Doxygen does not know one of two lines
         if re.match(r"[a-z]+:", target):
             return match[0]
         path, _, anchor = target.partition("#")
