@@ -68,7 +68,7 @@ struct GroomDetail {
   std::array<float, kShares> deviation_{}, lengthKept_{};
 };
 
-/// Required detail per pixel of a picture. The defaults are measured (docs/level_of_detail.md).
+/// Required detail per pixel of a picture. The defaults are measured (docs/measurements.md).
 struct DetailSettings {
   float strandsPerPixel = 40;  ///< strands of the whole groom, per pixel of the head's height
   float pixelsOff = 0.05f;     ///< allowed deviation of strands, pixels

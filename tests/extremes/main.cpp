@@ -1,5 +1,5 @@
 // hair-extremes: thousands of combinations of extreme inputs, each of which hair either survives
-// with what is promised of it, or refuses with a clear Error. docs/extremes.md has what came out.
+// with what is promised of it, or refuses with a clear Error. docs/measurements.md has the results.
 //
 //   hair-extremes [--quick] [--count N] [--only N] [--seed N] [--csv FILE] [--tables FILE]
 //
