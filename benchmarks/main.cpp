@@ -36,6 +36,8 @@ hair-bench --targets [--only=WORD] [--quick]
     program and not the machine.
 hair-bench --demo
     60 frames of the default demo, without drawing.
+hair-bench --help
+    This, and the options of Google Benchmark.
 
 )";
 
@@ -57,6 +59,7 @@ Options takeOptions(std::vector<char*>& arguments) {
     if (argument == "--targets") return options.targets = true;
     if (argument == "--quick") return options.target.quick = true;
     if (argument == "--demo") return options.demo = true;
+    if (argument == "-h") return options.help = true;
     if (argument == "--help") options.help = true;  // Google Benchmark has its own to say
     if (const auto only = value("--only=")) return options.target.only = *only, true;
     if (const auto folder = value("--plots=")) return options.plots = *folder, true;
@@ -93,7 +96,11 @@ int runBenchmarks(std::vector<char*>& arguments, const Options& options) {
 int program(int argc, char** argv) {
   std::vector<char*> arguments(argv, argv + argc);
   const Options options = takeOptions(arguments);
-  if (options.help) std::cout << kHelp << std::flush;
+  if (options.help) {
+    std::cout << kHelp << std::flush;
+    benchmark::PrintDefaultHelp();
+    return 0;
+  }
   if (options.demo) {
     const Subject subject{SubjectOptions{}};
     Performance performance(subject, {});

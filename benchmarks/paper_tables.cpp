@@ -2,13 +2,12 @@
 // and the curly style while they dance; beside them, in the same run and on the same strands, the
 // literal transcription of the paper's section 3 on one thread. Then the simulation of Yuksel et
 // al. 2009, section 4.
-//
-//   paper_tables [frames, default 120]
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
+#include <string_view>
 #include <vector>
 
 #include <apps/common/performance.h>
@@ -21,6 +20,15 @@
 
 namespace hair {
 namespace {
+
+constexpr std::string_view kHelp = R"(paper_tables [FRAMES]
+
+Tables 1 and 2 of Bertails et al. 2005, measured here: seconds a frame, by stage, of the smooth and the
+curly style while they dance, medians of FRAMES frames (120; at least 8); beside them the literal
+transcription of the paper on one thread, and what the paper printed.
+
+  -h, --help     this
+)";
 
 struct Row {
   double density = 0, transmittance = 0, filter = 0;  // table 1, seconds a frame
@@ -139,6 +147,11 @@ int program(int frames) {
 
 int main(int argc, char** argv) {
   try {
+    const std::string_view word = argc > 1 ? argv[1] : "";
+    if (word == "--help" || word == "-h") {
+      std::cout << hair::kHelp;
+      return 0;
+    }
     const int frames = argc > 1 ? std::atoi(argv[1]) : 120;
     hair::require(frames >= 8, "paper_tables: needs at least 8 frames, got ", argv[1]);
     return hair::program(frames);

@@ -1,12 +1,11 @@
 // Interior placement of hair meshes of 150 to 50,000 vertices: what it costs to assemble, to place
 // all interior vertices anew, and to follow one exterior vertex that is dragged; beside it, where
 // it was found, Ceres on the same sum. Milliseconds, one thread.
-//
-//   benchmark_placement [most vertices, default 50000]
 #include <cmath>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
+#include <string_view>
 
 #include <benchmarks/timing.h>
 #include <libhair/core/error.h>
@@ -19,6 +18,15 @@
 
 namespace hair::bench {
 namespace {
+
+constexpr std::string_view kHelp = R"(benchmark_placement [MOST]
+
+Interior placement of hair meshes of 150 to MOST vertices (50000): milliseconds to assemble it, to place
+all interior vertices anew, and to follow one exterior vertex that is dragged; beside them Ceres on the
+same sum, where it was found.
+
+  -h, --help     this
+)";
 
 // A grid of columns x rows bundles whose layers widen, fall over and wave.
 HairMesh waves(std::uint32_t columns, std::uint32_t rows, std::uint32_t layers) {
@@ -151,6 +159,11 @@ int program(std::size_t most) {
 
 int main(int argc, char** argv) {
   try {
+    const std::string_view word = argc > 1 ? argv[1] : "";
+    if (word == "--help" || word == "-h") {
+      std::cout << hair::bench::kHelp;
+      return 0;
+    }
     const long most = argc > 1 ? std::atol(argv[1]) : 50'000;
     hair::require(most >= 150, "benchmark_placement: needs at least 150 vertices, got ", argv[1]);
     return hair::bench::program(static_cast<std::size_t>(most));

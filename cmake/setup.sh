@@ -1,8 +1,16 @@
-# What apps/dance/run, tests/run and .ci/run share: packages, then configuration and build.
+# What the scripts `run` of apps/dance, tests, benchmarks, python and .ci share: packages, then
+# configuration and build.
 # Sourced by bash from the project's top folder; changes nothing until a function is called.
 
 say() { printf '\n==> %s\n' "$*" >&2; }
 die() { printf 'error: %s\n' "$*" >&2; exit 1; }
+
+# help_if_asked SCRIPT WORD: where WORD asks for help, tells what SCRIPT says of itself in its first lines.
+help_if_asked() {
+  case $2 in
+    -h | --help) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$1" && exit 0 ;;
+  esac
+}
 
 # As many compilers as there are processors, but no more than one a gigabyte of free memory.
 jobs() {
@@ -59,10 +67,28 @@ install_packages() {
   fi
 }
 
-# configure PRESET [CMAKE OPTION ...]
+# parts PART ...: what a configuration has to be told so that it has these parts (apps, tests,
+# benchmarks, python), which the user asks for, and of the others those whose packages are there.
+# Scripts that share a build folder thus say the same: none undoes what another has built.
+parts() {
+  local part
+  for part in apps tests benchmarks; do
+    if [[ " $* " == *" $part "* || -z $(missing "$part") ]]; then
+      echo "-DHAIR_BUILD_${part^^}=ON"
+    else
+      echo "-DHAIR_BUILD_${part^^}=OFF"
+    fi
+  done
+  # The rest of the others CMake finds by itself.
+  [[ " $* " != *" python "* ]] || echo "-DHAIR_BUILD_PYTHON=ON"
+}
+
+# configure PRESET [CMAKE OPTION ...]: by what is asked for and installed now. What an earlier call
+# was asked for, or has found or missed, is forgotten first.
 configure() {
   say "Configuring $1"
-  cmake --preset "$@" ${HAIR_CMAKE_OPTIONS:-} >&2
+  cmake --preset "$1" -U 'HAIR_WITH_*' -U HAIR_BUILD_PYTHON -U HAIR_DATA_DIR -U HAIR_FUZZ_SECONDS \
+    "${@:2}" ${HAIR_CMAKE_OPTIONS:-} >&2
 }
 
 # build PRESET [CMAKE --build OPTION ...]

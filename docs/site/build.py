@@ -22,10 +22,11 @@ import site_filter  # noqa: E402
 
 # Pages by file name without ".md"; those that are not there are left out.
 MENU = {
+    "Start": ["start", "install"],
     "Concepts": ["concepts/strands", "concepts/simulation", "concepts/shadows",
                  "concepts/measuring", "concepts/hair_meshes"],
-    "Use": ["install", "motion", "formats", "level_of_detail", "python", "c_interface", "blender"],
-    "In depth": ["method", "hair_mesh", "accuracy", "performance", "robustness", "extremes"],
+    "In depth": ["guarantees", "method", "measurements"],
+    "Use": ["formats", "python", "c_interface", "blender", "hair_mesh", "level_of_detail"],
 }
 REFERENCE = """
       <tab type="usergroup" visible="yes" url="[none]" title="Reference">

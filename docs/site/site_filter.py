@@ -118,6 +118,7 @@ def page_for_doxygen(file, text):
 
     def link(match):
         image, label, target = match.groups()
+        label = " ".join(label.split())  # Doxygen does not know one of two lines
         if re.match(r"[a-z]+:", target):
             return match[0]
         path, _, anchor = target.partition("#")
@@ -171,7 +172,8 @@ def prose(line):
 def header_for_doxygen(file, text):
     """Same lines; the file is documented, and its names belong to the group of its folder."""
     folder = file.resolve().relative_to(root_of(file) / "libhair").parts[0]
-    stage = "stage_frame" if folder.endswith(".h") else f"stage_{folder}"
+    # A header beside the folders is about all of them.
+    stage = "stage_simulation" if folder.endswith(".h") else f"stage_{folder}"
     text = "\n".join(prose(line) if "///" in line else line for line in text.split("\n"))
     # Doxygen announces private nested types, and then has no place for them.
     text = re.sub(r"^ private:$(.*?)^\};$", r" private: /** @cond */\1/** @endcond */ };", text,

@@ -29,16 +29,16 @@ inline constexpr std::size_t kStageCount = 9;
 /// The name a profile prints: "motion", "guides", ...
 std::string_view stageName(Stage stage);
 
-/// What one stage took in one frame.
+/// The cost of one stage in one frame.
 struct StageTime {
   std::int64_t nanoseconds = 0;  ///< from its start to its end, however many threads it uses
-  std::int64_t items = 0;        ///< points, cells, ... whatever the stage works through
+  std::int64_t items = 0;        ///< points, cells, ... that the stage processes
 };
 
-/// What one frame cost, by stage. Always filled; a stage that did not run stays zero.
+/// The cost of one frame, by stage. Always filled; a stage that did not run stays zero.
 using FrameProfile = std::array<StageTime, kStageCount>;
 
-/// Adds the time of its own life, and the items, to one stage of a profile.
+/// Scoped timer: adds its lifetime, and the items, to one stage of a profile.
 class StageTimer {
  public:
   /// Starts to measure; `items` are added at once.
@@ -59,11 +59,11 @@ class StageTimer {
   Clock::time_point start_;
 };
 
-/// Profiles of many frames, and what they say together. A log of any length takes half a megabyte:
-/// of more than kMostFrames it keeps every second, then every fourth ..., evenly over them all.
+/// Profiles of many frames, and their statistics. A log of any length takes half a megabyte: of
+/// more than kMostFrames it keeps every 2nd, then every 4th ..., evenly over all.
 class ProfileLog {
  public:
-  /// Frames that are kept at the most.
+  /// Largest number of frames that are kept.
   static constexpr std::size_t kMostFrames = 4096;
 
   /// Adds one frame.

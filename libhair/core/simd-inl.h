@@ -13,7 +13,7 @@
 // Lambdas there carry HWY_ATTR.
 //
 // Every operation rounds as the scalar one does, and nothing is contracted: a kernel gives the same
-// bits on every instruction set, and for whatever way its items are spread over lanes.
+// bits on every instruction set, and for any distribution of its items over lanes.
 #if defined(HAIR_CORE_SIMD_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_CORE_SIMD_INL_H
 #undef HAIR_CORE_SIMD_INL_H

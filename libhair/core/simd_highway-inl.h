@@ -9,7 +9,7 @@ inline constexpr std::size_t kParts = kLanes / kPerPart;
 
 #define HAIR_EACH_PART for (std::size_t p = 0; p < kParts; ++p)
 
-/// One truth a lane.
+/// One truth value per lane.
 struct Mask {
   hn::Mask<FloatTag> part[kParts];
 };
@@ -121,12 +121,11 @@ HWY_INLINE Ints select(Mask m, Ints yes, Ints no) {
       hn::IfThenElse(hn::RebindMask(IntTag(), m.part[p]), yes.part[p], no.part[p]);
   return r;
 }
-/// As std::min and std::max of scalars: b where they cannot be compared, and no signed zeros are
-/// told apart.
+/// a < b ? a : b and a > b ? a : b, so b where one is NaN, or both are zeros.
 // Just what these instructions do.
 HAIR_BINARY(Floats, min, Min);
 HAIR_BINARY(Floats, max, Max);
-/// The lesser of numbers without signs.
+/// The lesser of unsigned integers.
 HWY_INLINE Ints minUnsigned(Ints a, Ints b) {
   const hn::RebindToUnsigned<IntTag> u;
   Ints r;
@@ -202,7 +201,7 @@ HWY_INLINE Floats toFloats(Ints v) {
 /// Towards zero; |v| below 2^31.
 HWY_INLINE Ints truncate(Floats v) {
   Ints r;
-  // ConvertTo would first look for numbers that are too large.
+  // ConvertTo would first check for numbers that are too large.
 #if HWY_ARCH_X86 && HWY_MAX_BYTES == 64
   HAIR_EACH_PART r.part[p] = hn::VFromD<IntTag>{_mm512_cvttps_epi32(v.part[p].raw)};
 #elif HWY_ARCH_X86

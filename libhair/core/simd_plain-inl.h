@@ -1,8 +1,8 @@
-// The lanes of simd-inl.h, which alone includes this, where registers have four floats or none: by
-// GCC's and Clang's own vectors, for which any CPU has a lowering. What is no vector operation is a
-// call, lest the code grows sixteenfold.
+// The lanes of simd-inl.h, which alone includes this, for registers of four floats or none: by the
+// vector extensions of GCC and Clang, which lower on any CPU. Other operations are calls, which
+// avoids sixteen times the code.
 
-/// One truth a lane.
+/// One truth value per lane.
 struct Mask {
   LaneMask v;
 };
@@ -68,7 +68,7 @@ HAIR_BINARY(Ints, Mask, operator>, >);
 HAIR_BINARY(Ints, Mask, operator==, ==);
 #undef HAIR_BINARY
 
-// Numbers with signs must not overflow in C++, but registers turn over.
+// Signed overflow is undefined in C++, but registers wrap around.
 using Unsigned [[gnu::vector_size(64)]] = std::uint32_t;
 inline Ints operator+(const Ints& a, const Ints& b) {
   return Ints(reinterpret_cast<LaneMask>(reinterpret_cast<Unsigned>(a.v) +
@@ -101,8 +101,7 @@ inline Ints select(const Mask& m, const Ints& yes, const Ints& no) {
 inline Floats select(const Mask& m, const Floats& yes, const Floats& no) {
   return asFloats(select(m, asInts(yes), asInts(no)));
 }
-/// As std::min and std::max of scalars: b where they cannot be compared, and no signed zeros are
-/// told apart.
+/// a < b ? a : b and a > b ? a : b, so b where one is NaN, or both are zeros.
 inline Floats min(const Floats& a, const Floats& b) {
   return select(a < b, a, b);
 }
@@ -115,7 +114,7 @@ inline Ints min(const Ints& a, const Ints& b) {
 inline Ints max(const Ints& a, const Ints& b) {
   return select(a > b, a, b);
 }
-/// The lesser of numbers without signs.
+/// The lesser of unsigned integers.
 inline Ints minUnsigned(const Ints& a, const Ints& b) {
   const LaneMask sign = LaneMask{} + std::numeric_limits<std::int32_t>::min();
   return select(Ints(a.v ^ sign) < Ints(b.v ^ sign), a, b);

@@ -13,7 +13,7 @@
 namespace HAIR_API hair {
 
 /// Read-only view of strands, root first. Strand s owns points[first[s] .. first[s + 1]).
-/// Every pass of the library takes this, so that a caller can bring arrays of its own.
+/// Every pass of the library takes this, so that callers can pass their own arrays.
 struct StrandView {
   std::span<const glm::vec3> points;     ///< [pointCount], metres
   std::span<const std::uint32_t> first;  ///< [strandCount + 1], first[0] = 0, never decreasing
@@ -53,9 +53,9 @@ struct StrandSet {
   operator StrandView() const { return view(); }
 };
 
-/// The door of the library: throws Error unless offsets are monotone and end at the point count,
-/// every strand has at least `minPoints` points, and every coordinate is finite and below 1e8 m.
-/// `name` says in the message whose strands these are (a file, an argument).
+/// Input validation: throws Error unless offsets are monotone and end at the point count, every
+/// strand has at least `minPoints` points, and every coordinate is finite and below 1e8 m. `name`
+/// names the source of the strands in the message (a file, an argument).
 void validate(StrandView strands, std::string_view name, std::size_t minPoints = 1);
 
 /// Length along the polyline, metres.

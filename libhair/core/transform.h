@@ -7,29 +7,29 @@
 
 namespace HAIR_API hair {
 
-/// Rotation, then translation (metres). Named by what it does: worldFromHead * headFromLocal.
+/// Rotation, then translation (metres). Names compose by eye: worldFromHead * headFromLocal.
 struct RigidTransform {
   glm::quat rotation{1, 0, 0, 0};  ///< unit; w first
   glm::vec3 translation{0};        ///< metres
 
-  /// Where the transform takes a point.
+  /// Transforms a point.
   glm::vec3 point(glm::vec3 p) const { return rotation * p + translation; }
-  /// Where it takes a direction: rotated, not moved.
+  /// Transforms a vector: rotates it only.
   glm::vec3 vector(glm::vec3 v) const { return rotation * v; }
 };
 
-/// First b, then a.
+/// Composition: first b, then a.
 inline RigidTransform operator*(const RigidTransform& a, const RigidTransform& b) {
   return {glm::normalize(a.rotation * b.rotation), a.point(b.translation)};
 }
 
-/// The way back.
+/// The inverse transform.
 inline RigidTransform inverse(const RigidTransform& a) {
   const glm::quat r = glm::conjugate(a.rotation);
   return {r, -(r * a.translation)};
 }
 
-/// Between a (t = 0) and b (t = 1): shortest rotation at constant speed, straight translation.
+/// Interpolates from a (t = 0) to b (t = 1): shortest rotation at constant speed, straight path.
 inline RigidTransform blend(const RigidTransform& a, const RigidTransform& b, float t) {
   return {glm::normalize(glm::slerp(a.rotation, b.rotation, t)),
           glm::mix(a.translation, b.translation, t)};

@@ -1,3 +1,16 @@
+// Deposit of sixteen points or segments at once. Deposit::Columns, the default, in four stages:
+//
+//   SegmentBatch   points to cell coordinates, segments to amounts, amounts to integer counts
+//   walkColumns    cuts segments at the walls of columns, a segment a lane (Amanatides, Woo 1987)
+//   Pieces         collects pieces of all lanes, and shares each between two slices
+//   Adder          finds the bricks of cells, makes missing ones, and adds
+//
+//        light -->   slice 0   slice 1   slice 2
+//                  |         |         |         |
+//     column j+1   |         |      .--*---b     |    a piece per column; its count is shared
+//     -------------+---------+-----/---+---------+    between the two slices whose centres are
+//     column j     |    a----*----'    |         |    nearest to its middle (*)
+//
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "libhair/density/deposit_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -13,12 +26,12 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-/// Sixteen points from points[at] on; where the span ends, its last one again and again.
+/// Sixteen points from points[at] on; beyond the span, its last one is repeated.
 HWY_INLINE Vec3 pointsFrom(std::span<const glm::vec3> points, std::size_t at) {
   return loadPoints(points.data() + at, points.size() - at);
 }
 
-/// The box of all points that were met.
+/// The bounding box of all points, which `tell` passes on to the writer.
 class PointBox {
  public:
   HWY_INLINE PointBox() : lower_(glm::vec3(1e9f)), upper_(glm::vec3(-1e9f)) {}
@@ -45,8 +58,9 @@ class Adder {
   Adder(const Adder&) = delete;
   Adder& operator=(const Adder&) = delete;
 
-  /// `code`: CellCodes. Kept until there are enough of them, and the last are flushed.
+  /// Queues sixteen counts, with the codes (CellCodes) of their cells.
   HWY_INLINE void add(Ints code, Ints count) {
+    // Find the slots of the bricks, and make bricks that are missing.
     if (HWY_UNLIKELY(size_ == kSize)) flush();
     const Ints place = shiftRight<8>(code);
     Ints slot = gather(slots_, place);
@@ -55,12 +69,13 @@ class Adder {
       make(code, bits(missing));
       slot = gather(slots_, place);
     }
-    // Slot 0 takes the zeros that have no brick.
+    // Queue cells and counts; zeros without a brick go to slot 0.
     store(shiftLeft<8>(slot) + (code & Ints(brick::kCells - 1)),
           reinterpret_cast<std::int32_t*>(cell_ + size_));
     store(count, reinterpret_cast<std::int32_t*>(count_ + size_));
     size_ += kLanes;
   }
+  /// Adds what is queued. A count below 2^30 cannot overflow a cell that was below 2^31.
   HWY_INLINE void flush() {
     std::uint32_t* cells = store_.cells(0);
     std::uint32_t before = 0;
@@ -69,7 +84,6 @@ class Adder {
       before |= sum;
       sum += count_[l];
     }
-    // No count fills a cell that stood below 2^31.
     if (HWY_UNLIKELY(before >> 31 != 0)) saturate();
     size_ = 0;
   }
@@ -82,7 +96,7 @@ class Adder {
     for (; missing != 0; missing &= missing - 1)
       store_.make(static_cast<std::uint32_t>(codes[std::countr_zero(missing)]) / brick::kCells);
   }
-  /// Takes back what was added, and adds it with care.
+  /// Undoes the additions, and repeats them one by one with saturation.
   HWY_NOINLINE void saturate() {
     std::uint32_t* cells = store_.cells(0);
     for (std::size_t l = 0; l < size_; ++l) cells[cell_[l]] -= count_[l];
@@ -101,9 +115,9 @@ class Adder {
   std::uint32_t cell_[kSize], count_[kSize];
 };
 
-/// Calls visit(points, first) for those strands that follow each other: first[0], first[1] ... are
-/// where they begin, and the last one ends, counted from where the first one does; `weights` are
-/// theirs.
+/// Calls visit(points, first, weights) for each run of strands that are contiguous in memory: all
+/// at stride 1, else one at a time. `first` [strands + 1]: as in StrandView, less first[0] indices
+/// into `points`.
 template <class Visit>
 HWY_INLINE void forRuns(StrandView strands, StrandRange range, Visit&& visit) {
   const std::size_t run = range.stride == 1 ? range.end - range.begin : 1;
@@ -135,26 +149,27 @@ void pointsKernel(StrandView strands, StrandRange range, CellWriter& writer) {
   box.tell(0, writer);
 }
 
-/// Parts of segments, each in one column of cells; written where there are many of them.
+/// Queue of pieces: parts of segments, each in one column of cells.
 class Pieces {
  public:
   HWY_INLINE explicit Pieces(CellWriter& writer) : codes_(writer.map()), adder_(writer) {}
 
-  /// A column that is not farther than one turn from [0, cells), as one number to which what leads
-  /// to its neighbours can be added.
+  /// A column, within one wrap-around of [0, cells), as one number to which steps to its neighbours
+  /// can be added.
   HWY_INLINE Ints column(Ints y, Ints z) const {
     const Ints n(codes_.cells());
     return shiftLeft<kY>(y + n) + (z + n);
   }
   static constexpr int kY = 16;  // bits below y
 
+  /// Appends the pieces of the lanes `m`.
   HWY_INLINE void add(Ints column, Floats depth, Ints amount, Mask m) {
     if (HWY_UNLIKELY(size_ > kSize - kLanes)) write();
     compress(column, m, column_ + size_);
     compress(asInts(depth), m, depth_ + size_);
     size_ += compress(amount, m, amount_ + size_);
   }
-  /// A piece a lane, which is shared between the two slices nearest to its depth.
+  /// Shares a piece per lane between the two slices nearest to its depth, and adds it to the cells.
   HWY_INLINE void write(Ints column, Floats depth, Ints amount) {
     const Ints n(codes_.cells());
     const Ints across = codes_.across(codes_.turn(shiftRight<kY>(column) - n),
@@ -174,7 +189,7 @@ class Pieces {
 
  private:
   HWY_NOINLINE void write() {
-    // Zeros of the first piece's place fill up the last sixteen.
+    // Pad to sixteen with zero counts in the place of the first piece.
     store(Ints(column_[0]), column_ + size_);
     store(Ints(depth_[0]), depth_ + size_);
     store(Ints(0), amount_ + size_);
@@ -187,11 +202,12 @@ class Pieces {
   CellCodes codes_;
   Adder adder_;
   std::size_t size_ = 0;
-  // Whatever is written first fills up the first sixteen.
+  // Padded: each append writes sixteen values.
   std::int32_t column_[kSize + kLanes], depth_[kSize + kLanes], amount_[kSize + kLanes];
 };
 
-/// AxisWalk of depositColumns.
+/// AxisWalk (cell_walk.h) of sixteen segments: parameters of the next wall, the steps between
+/// walls, and how many are left.
 struct AxisWalks {
   Ints cell, way, left;
   Floats next, step;
@@ -207,7 +223,7 @@ struct AxisWalks {
     next = select(left == Ints(0), Floats(AxisWalk::kNever), first);
     step = abs(perParameter);
   }
-  /// As AxisWalk::cross; the cell is up to the caller.
+  /// As AxisWalk::cross, but leaves the cell to the caller.
   HWY_INLINE void cross(Mask now) {
     left = left - select(now, Ints(1), Ints(0));
     const Floats further = select(now, next + step, next);
@@ -215,7 +231,8 @@ struct AxisWalks {
   }
 };
 
-/// depositColumns of segments with counts below 2^30, none as long as the map.
+/// depositColumns (segment_walk.h) of sixteen segments with counts below 2^30, all shorter than the
+/// map.
 HWY_INLINE void walkColumns(Vec3 a, Vec3 b, Ints count, Pieces& pieces) {
   AxisWalks y(a.y, b.y), z(a.z, b.z);
   const CellCodes& codes = pieces.codes();
@@ -225,21 +242,24 @@ HWY_INLINE void walkColumns(Vec3 a, Vec3 b, Ints count, Pieces& pieces) {
   Floats behind(0.0f);
   Ints left(0);
   for (Mask on = (count > Ints(0)) & ((y.left + z.left) > Ints(0)); any(on);) {
+    // Cut at the next wall. Counts are differences of a rounded running sum, so that they add up.
     const Floats wall = min(max(min(y.next, z.next), behind), Floats(1.0f));
     const Ints reached = min(max(truncate(whole * wall), left), count);
     pieces.add(column, a.x + middle * (behind + wall), reached - left, on);
     left = select(on, reached, left);
     behind = select(on, wall, behind);
+    // Step into the next column, along y or z.
     const Mask alongY = on & (y.next <= z.next), alongZ = on & !alongY;
     column = column + select(alongY, wayY, select(alongZ, wayZ, Ints(0)));
     y.cross(alongY);
     z.cross(alongZ);
     on = on & ((y.left + z.left) > Ints(0));
   }
-  // What is behind the last wall all lanes have.
+  // Write the piece after the last wall, which all lanes have.
   pieces.write(column, a.x + middle * (behind + Floats(1.0f)), count - left);
 }
 
+/// SegmentScale::amount.
 HWY_INLINE Floats amountOf(const SegmentScale& scale, Vec3 a, Vec3 b) {
   const Vec3 d = b - a;
   const Floats across = d.y * d.y + d.z * d.z;
@@ -249,21 +269,21 @@ HWY_INLINE Floats amountOf(const SegmentScale& scale, Vec3 a, Vec3 b) {
                                    : amount;
 }
 
-/// Some segments that follow each other, of any strands.
+/// Consecutive segments of any strands, those between the end of one strand and the next included.
 struct SegmentBatch {
   static constexpr std::size_t kSize = 256;
 
   std::size_t size = 0;
-  // Of point l, where segment l begins.
+  // Of point l, the start of segment l.
   float x[kSize + kLanes + 1], y[kSize + kLanes + 1], z[kSize + kLanes + 1];
   std::int32_t whole[kSize], part[kSize], count[kSize];
-  std::uint32_t
-      odd[kSize / kLanes];  // bits: too long, or more than a lane counts; those go one by one
+  std::uint32_t odd[kSize / kLanes];  // bits: too long, or too large a count for a lane
 
-  /// Goes on with segments to the points from points[begin] on, the first from where the last
-  /// batch ended.
+  /// Fills the batch with the segments that end in points[begin], points[begin + 1] ...; the first
+  /// starts where the last batch ended.
   HWY_INLINE void fill(std::span<const glm::vec3> points, std::size_t begin,
                        const SegmentScale& scale, float longest, PointBox& box) {
+    // Transform the points.
     x[0] = x[size], y[0] = y[size], z[0] = z[size];
     size = std::min(points.size() - begin, kSize);
     for (std::size_t l = 0; l < size; l += kLanes) {
@@ -271,6 +291,7 @@ struct SegmentBatch {
       box.extend(u);
       store(u.x, x + l + 1), store(u.y, y + l + 1), store(u.z, z + l + 1);
     }
+    // Split amounts into whole counts and parts of 2^-16, and mark odd segments.
     for (std::size_t l = 0; l < size; l += kLanes) {
       const Vec3 a = at(l), b = at(l + 1), d = b - a;
       const Floats amount = amountOf(scale, a, b);
@@ -279,7 +300,7 @@ struct SegmentBatch {
       const Ints floor = truncate(held);
       store(floor, whole + l);
       store(truncate((held - toFloats(floor)) * 65536.0f + 0.5f), part + l);
-      // One cell less than the longest, lest rounding makes it more than one turn.
+      // Subtract a cell, as rounding must not make a segment wrap around more than once.
       odd[l / kLanes] =
           bits(large | (max(max(abs(d.x), abs(d.y)), abs(d.z)) > Floats(longest - 1.0f)));
     }
@@ -298,7 +319,7 @@ struct SegmentBatch {
     return {loadFloats(x + l), loadFloats(y + l), loadFloats(z + l)};
   }
   glm::vec3 point(std::size_t l) const { return {x[l], y[l], z[l]}; }
-  /// Multiplies the amounts of segments l to end.
+  /// Multiplies the amounts of segments [l, end) by `weight`, in fixed point.
   void weaken(std::size_t l, std::size_t end, float weight) {
     const auto times = static_cast<std::uint64_t>(std::lround(weight * 65536.0f));
     for (; l < end; ++l) {
@@ -315,8 +336,8 @@ struct SegmentBatch {
   }
 };
 
-/// Counts of a batch's segments, those between strands left out. `begin` is the point where the
-/// batch begins, `strand` that point's strand.
+/// Rounds the amounts of a batch to counts, one rounder per strand, and leaves out segments between
+/// strands. `begin`: point at which the batch begins, `strand`: of that point.
 void countSegments(std::span<const std::uint32_t> first, std::span<const float> weights,
                    std::size_t begin, std::size_t& strand, Rounder& rounder, SegmentBatch& batch) {
   for (std::size_t l = 0; l < batch.size;) {
@@ -332,7 +353,7 @@ void countSegments(std::span<const std::uint32_t> first, std::span<const float> 
   }
 }
 
-/// The odd segments of a batch, one after the other.
+/// Deposits the odd segments of a batch one by one, and leaves them out of it.
 HWY_NOINLINE void writeOdd(const SegmentScale& scale, float longest, SegmentBatch& batch,
                            CellWriter& writer) {
   for (std::size_t l = 0; l < batch.size; ++l) {

@@ -9,22 +9,22 @@
 
 namespace HAIR_API hair {
 
-/// A file in the making: written under a temporary name in the same folder until `commit` gives it
-/// its own. Without that the temporary file goes away and whatever stood under the name stays.
-/// Through a symbolic link to what it points at, so that the link stays one; devices and pipes,
-/// which cannot be replaced, are written directly.
+/// A file that is replaced as a whole: written under a temporary name in the same folder until
+/// `commit` renames it. Without that the temporary file is removed, and an existing file of the
+/// name is kept. Follows symbolic links to their targets, so that links are kept; devices and
+/// pipes, which cannot be replaced, are written directly.
 class PendingFile {
  public:
   /// Throws Error where the name is empty or a folder's.
   explicit PendingFile(const std::filesystem::path& file);
-  /// Removes what has not taken its name.
+  /// Removes the temporary file, unless it was committed.
   ~PendingFile();
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
-  /// Where to write; keeps the file's extension.
+  /// The temporary path to write to; keeps the file's extension.
   const std::filesystem::path& path() const { return path_; }
-  /// Once, when all is written and closed. Throws Error.
+  /// Renames the file; call it once, when all is written and closed. Throws Error.
   void commit();
 
  private:
@@ -33,8 +33,8 @@ class PendingFile {
 };
 
 /// Writes a whole file or nothing: `write` fills a stream on a temporary file in the same folder,
-/// which then takes the file's name. Where anything fails the temporary file is removed, whatever
-/// stood under the name stays, and Error says why.
+/// which is then renamed. Where anything fails, the temporary file is removed, an existing file of
+/// the name is kept, and Error says why.
 void writeAtomically(const std::filesystem::path& file,
                      const std::function<void(std::ostream&)>& write);
 

@@ -58,7 +58,7 @@ struct Bvh {
 /// Throws Error (file, line, cause).
 Bvh readBvh(const std::filesystem::path& file);
 
-/// The same from bytes in memory; `name` stands for the file in messages.
+/// The same from bytes in memory; `name` names the file in messages.
 Bvh parseBvh(std::string_view bytes, std::string_view name);
 
 }  // namespace hair

@@ -27,7 +27,7 @@ std::string readWholeFile(const std::filesystem::path& file);
 /// decide an allocation. Every failure is an Error that names file, byte and cause.
 class ByteReader {
  public:
-  /// `name` stands for the file in messages; `bytes` must outlive the reader.
+  /// `name` names the file in messages; `bytes` must outlive the reader.
   ByteReader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
 
   std::size_t offset() const { return offset_; }

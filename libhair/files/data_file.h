@@ -13,7 +13,7 @@ namespace hair {
 /// cause).
 StrandSet readData(const std::filesystem::path& file);
 
-/// The same from bytes in memory; `name` stands for the file in messages.
+/// The same from bytes in memory; `name` names the file in messages.
 StrandSet parseData(std::string_view bytes, std::string_view name);
 
 /// Points alone: strands of no and one point too. Throws Error.

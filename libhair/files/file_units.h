@@ -11,7 +11,7 @@ namespace hair {
 /// comment of .ply and .obj): "libhair: metres, +Y up, +Z face", or "libhair: 0.01 m a unit, ...".
 std::string unitsText(float scale, UpAxis up);
 
-/// The way back; where the text begins otherwise, false, and nothing changes.
+/// Parses that text; returns false, and changes nothing, where it begins otherwise.
 bool unitsFromText(std::string_view words, float& scale, UpAxis& up);
 
 }  // namespace hair

@@ -29,7 +29,7 @@ struct HairFile {
 /// Throws Error (file, byte, cause).
 HairFile readHair(const std::filesystem::path& file);
 
-/// The same from bytes in memory; `name` stands for the file in messages.
+/// The same from bytes in memory; `name` names the file in messages.
 HairFile parseHair(std::string_view bytes, std::string_view name);
 
 /// Writes the whole file or nothing. Strands of equal length take the header's default, others an

@@ -23,7 +23,7 @@ struct ObjReport {
 /// Throws Error (file, line, cause).
 TriangleMesh readObj(const std::filesystem::path& file, ObjReport* report = nullptr);
 
-/// The same from bytes in memory; `name` stands for the file in messages.
+/// The same from bytes in memory; `name` names the file in messages.
 TriangleMesh parseObj(std::string_view bytes, std::string_view name, ObjReport* report = nullptr);
 
 }  // namespace hair

@@ -11,7 +11,7 @@ namespace hair {
 /// all else are left alone. A file all of whose `l` lines have two corners is one of edges, as
 /// Blender writes it: they are followed to strands (chainEdges). In the file's units, which a
 /// comment of ours states, or else metres, +Y up; only `strands`, `format`, `arrays`, `scale` and
-/// `up` are set. `name` stands for the file in messages. Throws Error (file, line, cause).
+/// `up` are set. `name` names the file in messages. Throws Error (file, line, cause).
 StrandFile parseObjStrands(std::string_view bytes, std::string_view name);
 
 /// Points only, as they stand, a line a segment; `scale` and `up` go into a comment. Strands have a

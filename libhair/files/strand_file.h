@@ -32,7 +32,7 @@ std::string_view upAxisMeaning(UpAxis up);
 
 /// Into metres and +Y up, +Z face: rotates, then scales, in place. `scale`: metres per unit.
 void convertUnits(std::span<glm::vec3> points, float scale, UpAxis up);
-/// The way back: into units of `scale` metres and axes `up`.
+/// The inverse: into units of `scale` metres and axes `up`.
 void convertUnitsBack(std::span<glm::vec3> points, float scale, UpAxis up);
 
 /// How to read a file of strands.

@@ -28,7 +28,7 @@ const StrandFormat& formatOf(const std::filesystem::path& file);
 /// what the file states; `arrays` named; checked.
 void finishReading(const ReadOptions& options, std::string_view name, StrandFile& strands);
 /// Checked, and in the units of a file to be written; the strands themselves where these are
-/// metres, +Y up, else a copy in `scratch`. `name` stands for the file in messages.
+/// metres, +Y up, else a copy in `scratch`. `name` names the file in messages.
 const StrandFile& prepared(const StrandFormat& format, const WriteOptions& options,
                            std::string_view name, const StrandFile& strands, StrandFile& scratch);
 

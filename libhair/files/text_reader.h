@@ -15,7 +15,7 @@ namespace hair {
 /// words are parted by spaces and tabs. Every failure is an Error that names file, line and cause.
 class TextReader {
  public:
-  /// `name` stands for the file in messages; `bytes` must outlive the reader.
+  /// `name` names the file in messages; `bytes` must outlive the reader.
   TextReader(std::string_view bytes, std::string_view name) : rest_(bytes), name_(name) {
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // byte order mark of UTF-8
   }

@@ -22,7 +22,7 @@ struct TfxFile {
 /// Throws Error (file, byte, cause).
 TfxFile readTfx(const std::filesystem::path& file);
 
-/// The same from bytes in memory; `name` stands for the file in messages.
+/// The same from bytes in memory; `name` names the file in messages.
 TfxFile parseTfx(std::string_view bytes, std::string_view name);
 
 /// Strands of 4 to 64 points, all of the same number; the head holds each one's root (w = 0) and

@@ -14,7 +14,7 @@ class MeshSdf;
 /// A sphere swept from a to b; a sphere where a == b. Metres, world space.
 struct Capsule {
   glm::vec3 a,   ///< one end of the axis
-      b;         ///< the other
+      b;         ///< the other end
   float radius;  ///< metres
 };
 
@@ -50,8 +50,8 @@ inline float axisDistance(const Capsule& p, const Capsule& q) {
   return glm::length(w + s * u - t * v);
 }
 
-/// All behind it is solid. `point` goes where the surface goes: hair that lies on a plane is
-/// carried by the motion of that point along it, too.
+/// A half-space: all behind the plane is solid. `point` moves with the surface: its motion along
+/// the plane carries hair that lies on it, by friction.
 struct Plane {
   glm::vec3 point{0};         ///< anywhere on it, metres, world space
   glm::vec3 normal{0, 1, 0};  ///< unit; to the free side
@@ -59,27 +59,28 @@ struct Plane {
 
 /// A closed mesh by its distance field (sharedSdf), placed at worldFromMesh.point(scale · p).
 struct MeshCollider {
-  const MeshSdf* sdf = nullptr;    ///< must stay there while it is used; not null
-  RigidTransform worldFromMesh{};  ///< rotation and place of the mesh
+  const MeshSdf* sdf = nullptr;    ///< not owned, not null
+  RigidTransform worldFromMesh{};  ///< rotation and position of the mesh
   float scale = 1;                 ///< (0, 1000)
 };
 
-/// What stands around head and body, or is worn: floor, furniture, a hat, a scanned body.
+/// Colliders besides head and body: floor, furniture, a hat, a scanned body.
 struct Scenery {
   std::span<const Plane> planes{};         ///< at most kMaxPlanes
   std::span<const MeshCollider> meshes{};  ///< at most kMaxMeshes
 
-  /// Nothing to collide with.
+  /// No planes and no meshes.
   bool empty() const { return planes.empty() && meshes.empty(); }
 };
 
-/// Planes of a Scenery, at the most.
+/// Largest number of planes of a Scenery.
 inline constexpr std::size_t kMaxPlanes = 8;
-/// Meshes of a Scenery, at the most.
+/// Largest number of meshes of a Scenery.
 inline constexpr std::size_t kMaxMeshes = 8;
 
-/// Throws Error that names what is wrong: too many, a normal that is not unit, a scale or a
-/// rotation out of range, no distance field, anything that is not finite.
+/// Throws Error, naming the collider and the cause, for too many of a kind, normals and rotations
+/// that are not unit, scales out of range, meshes without a distance field, and positions that are
+/// not finite.
 void validate(const Scenery& scenery);
 
 /// As for a capsule: xyz = unit direction to the free side, w = metres to the surface, negative
@@ -87,12 +88,13 @@ void validate(const Scenery& scenery);
 inline glm::vec4 distanceAndGradient(const Plane& plane, glm::vec3 p) {
   return {plane.normal, glm::dot(plane.normal, p - plane.point)};
 }
-/// What MeshSdf says, in metres of the world.
+/// As MeshSdf::distanceAndGradient, in world space.
 glm::vec4 distanceAndGradient(const MeshCollider& mesh, glm::vec3 p);
 
-/// From `before` (t = 0) to `after` (t = 1): the shortest turn at constant speed, straight ways.
+/// Interpolates from `before` (t = 0) to `after` (t = 1): the shortest rotation at constant speed,
+/// and a straight path.
 Plane blend(const Plane& before, const Plane& after, float t);
-/// Of a mesh, likewise; the two have the same distance field.
+/// The same for a mesh; both have the same distance field.
 MeshCollider blend(const MeshCollider& before, const MeshCollider& after, float t);
 
 }  // namespace hair

@@ -13,8 +13,8 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-/// MeshSdf's member functions of the same names, bit for bit in every lane of `wanted`; what the
-/// other lanes get is of no use, and costs no look into memory far away.
+/// MeshSdf's member functions of the same names, bit for bit in every lane of `wanted`; other lanes
+/// are undefined, and read only the first node.
 class SdfLookup {
  public:
   explicit SdfLookup(const MeshSdf& sdf)
@@ -51,7 +51,7 @@ class SdfLookup {
   }
 
  private:
-  // The eight nodes around points of the box, and how to mix what they hold.
+  // The eight nodes around points of the box, and their trilinear weights.
   struct Around {
     Ints first, dy, dz;
     Vec3 t, s;
@@ -71,7 +71,7 @@ class SdfLookup {
       const Pairs v = gatherPairs(values, at);
       return v.first * s.x + v.second * t.x;
     }
-    // Every stride-th value.
+    // Interpolates every stride-th value.
     HWY_INLINE Floats mix(const float* values, int stride) const {
       const Ints at = Ints(stride) * first, y = Ints(stride) * dy, z = Ints(stride) * dz;
       const Floats near = row(values, stride, at) * s.y + row(values, stride, at + y) * t.y;

@@ -55,8 +55,8 @@ std::vector<std::uint32_t> weld(std::span<const glm::vec3> positions) {
   return same;
 }
 
-// The triangles, and a fan to the middle of every hole. The border of a surface is a sum of
-// cycles, so joining each unpaired edge to one point a hole closes it without walking the cycle.
+// The triangles, and a fan to the middle of every hole. The border of a surface is a sum of cycles,
+// so joining each unpaired edge to one point per hole closes it without walking the cycle.
 std::vector<Corners> closedTriangles(const TriangleMesh& mesh) {
   const auto same = weld(mesh.positions);
   std::vector<Corners> triangles;
@@ -77,7 +77,8 @@ std::vector<Corners> closedTriangles(const TriangleMesh& mesh) {
   }
   std::sort(edges.begin(), edges.end());
 
-  // Keep the edges that are walked more often one way than the other, and group them by hole.
+  // Keep edges that faces use more often in one direction than in the other, and group them by
+  // hole.
   std::vector<std::uint32_t> hole(mesh.positions.size());
   std::iota(hole.begin(), hole.end(), 0u);
   const auto root = [&](std::uint32_t v) {
@@ -120,7 +121,7 @@ struct Grid {
   glm::vec3 node(glm::ivec3 i) const { return lower + cell * glm::vec3(i); }
 };
 
-// Squared distance and which triangle it is to.
+// The nearest triangle, and its squared distance.
 struct Nearest {
   float squared = INFINITY;
   std::uint32_t triangle = ~0u;
@@ -151,8 +152,8 @@ void measureNear(const Grid& grid, std::span<const Corners> triangles,
   });
 }
 
-// Carries the nearest triangle from node to node, in the eight diagonal sweeps of the fast
-// sweeping method (Zhao 2005), measuring the distance to it anew at each.
+// Propagates the nearest triangle from node to node, in the eight diagonal sweeps of the fast
+// sweeping method (Zhao 2005), and measures the distance to it at each node.
 void measureFar(const Grid& grid, std::span<const Corners> triangles,
                 std::vector<Nearest>& nearest) {
   for (int sweep = 0; sweep < 8; ++sweep) {
@@ -176,14 +177,14 @@ void measureFar(const Grid& grid, std::span<const Corners> triangles,
   }
 }
 
-// How often the surface winds around each node, counted along the grid lines of one axis: every
-// triangle that a line leaves the solid through counts +1 for the nodes before it.
+// The winding number of the surface around each node, counted along the grid lines of one axis:
+// every triangle through which a line leaves the solid counts +1 for the nodes before it.
 void windAlong(int axis, const Grid& grid, std::span<const Corners> triangles,
                std::vector<std::int8_t>& votes) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   std::vector<int> winding(votes.size() + 1, 0);
   for (const Corners& t : triangles) {
-    // Lines are moved off the nodes by an odd fraction of a cell, so that none meets an edge or a
+    // Shift the lines off the nodes by an odd fraction of a cell, so that none meets an edge or a
     // vertex that lies on the grid.
     std::array<glm::dvec3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -277,7 +278,7 @@ MeshSdf::MeshSdf(const TriangleMesh& mesh, float cell, float margin)
 
 namespace {
 
-// The eight nodes around a point of the box, and how to mix what they hold.
+// The eight nodes around a point of the box, and their trilinear weights.
 struct NodesAround {
   std::size_t first, dy, dz;
   glm::vec3 t;

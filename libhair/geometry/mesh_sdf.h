@@ -10,11 +10,11 @@ namespace HAIR_API hair {
 
 /// Signed distance to a triangle mesh on a regular grid: negative inside.
 ///
-/// Any mesh will do. Vertices at one position are taken as one; every hole is closed by a fan to
-/// its middle (so the bottom of a bust is a lid); inside is where at least two of the three grid
-/// lines through a node wind around it, so small faults of a mesh do not spread. Distances are
-/// exact at nodes within two cells of the surface, and between nodes within about 5 % of a cell
-/// where the surface is smooth; far away within about a cell.
+/// Accepts any mesh. Vertices at one position are merged; every hole is closed by a fan to its
+/// middle (so the bottom of a bust gets a lid). A node is inside if the winding numbers along at
+/// least two of the three grid lines through it say so, so that small defects of a mesh stay local.
+/// Distances are exact at nodes within two cells of the surface, and between nodes within about 5 %
+/// of a cell where the surface is smooth; far away within about a cell.
 class MeshSdf {
  public:
   /// `cell` and `margin` (how far the grid reaches beyond the mesh) in metres, > 0. The defaults
@@ -25,8 +25,8 @@ class MeshSdf {
   /// Metres. Outside the grid: a lower bound of the distance, never less than `margin`.
   float distance(glm::vec3 p) const;
 
-  /// Not more than `distance`, from one node instead of eight: enough to know that most points are
-  /// clear. A cell is more than half its diagonal, so it allows for the grid's own error too.
+  /// A lower bound of `distance`, from one node instead of eight: clears most points. A whole cell
+  /// is subtracted, more than half its diagonal, which allows for the grid's own error too.
   float lowerBound(glm::vec3 p) const {
     const glm::vec3 inBox = glm::clamp(p, box_.lower, box_.upper);
     if (inBox != p) return margin_;
@@ -41,30 +41,31 @@ class MeshSdf {
   /// xyz = unit outward direction, w = distance as above. Costs four times as much.
   glm::vec4 distanceAndGradient(glm::vec3 p) const;
 
-  /// What the grid covers, metres.
+  /// The box of the grid, metres.
   const Bounds& box() const { return box_; }
 
   /// Its arrays, for kernels that look up many points at once (mesh_sdf-inl.h).
   struct Field {
-    Bounds box;                  ///< what the grid covers, metres
+    Bounds box;                  ///< of the grid, metres
     float cell,                  ///< of the grid, metres
         perCell,                 ///< 1 / cell
         margin;                  ///< metres around the mesh
     const float* distances;      ///< [nodes.x · nodes.y · nodes.z], x fastest, metres
     const glm::vec3* gradients;  ///< the same shape, metres a metre
   };
-  /// Valid as long as this is.
+  /// The arrays; valid while this exists.
   Field field() const {
     return {box_, cell_, perCell_, margin_, distances_.data(), gradients_.data()};
   }
-  /// Of the grid, an axis.
+  /// Number of nodes along each axis.
   glm::ivec3 nodes() const { return nodes_; }
 
  private:
   Bounds box_;
   float cell_, perCell_, margin_;
-  glm::ivec3 nodes_;  ///< an axis
-  // [nodes_.x · nodes_.y · nodes_.z], x fastest. Apart, as most look-ups end with the distance.
+  glm::ivec3 nodes_;  ///< along each axis
+  // [nodes_.x · nodes_.y · nodes_.z], x fastest. Stored apart, as most look-ups read distances
+  // only.
   std::vector<float> distances_;
   std::vector<glm::vec3> gradients_;  ///< central differences
 };

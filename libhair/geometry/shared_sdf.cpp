@@ -11,7 +11,7 @@ namespace hair {
 
 namespace {
 
-// What a field is made of. The counts are there so that chance has even less of one.
+// The key of a field: a hash of its inputs, with counts to make collisions even less likely.
 struct Key {
   std::uint64_t hash;
   std::size_t positions, triangles;
@@ -41,7 +41,7 @@ std::shared_ptr<const MeshSdf> sharedSdf(const TriangleMesh& mesh, float cell, f
     const std::scoped_lock lock(mutex);
     if (auto sdf = find()) return sdf;
   }
-  // Not while the others wait: a thread that helps to build one field may be asked for another.
+  // Build without the lock: a thread that helps to build one field may be asked for another.
   auto built = std::make_shared<const MeshSdf>(mesh, cell, margin);
   const std::scoped_lock lock(mutex);
   if (auto sdf = find()) return sdf;

@@ -7,7 +7,7 @@
 
 namespace hair {
 
-/// A scalar field in metres: negative inside, zero on the surface, positive outside. Read from
+/// A scalar field in metres: negative inside, zero on the surface, positive outside. Called from
 /// many threads at once.
 using ScalarField = std::function<float(glm::vec3)>;
 

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-/// The part of a group's arrays that bending reads (GuideStrands, BendingFactors), and its root.
+/// The part of a group's arrays that bending reads (GuideStrands, BendingFactors).
 struct BendingGroup {
   std::uint32_t points;
   const LaneVec3* curvature;
@@ -28,7 +28,7 @@ struct RootFrame {
   Vec3 tangent, normal;
 };
 
-/// The frame that is carried along a chain, of the link before a joint.
+/// A frame carried along a chain by parallel transport: at joint i, that of link i - 1.
 class CarriedFrame {
  public:
   HWY_INLINE explicit CarriedFrame(const RootFrame& root)
@@ -40,11 +40,11 @@ class CarriedFrame {
   HWY_INLINE Vec3 toWorld(const Vec3& v) const {
     return v.x * normal_ + v.y * binormal_ + v.z * tangent_;
   }
-  /// To the next link, whose direction is `to` (unit). As transport() in transform.h, of a vector
-  /// at a right angle to the tangent.
+  /// Transports the frame to the next link, whose direction is `to` (unit). Equals transport() in
+  /// transform.h for a vector at a right angle to the tangent.
   HWY_INLINE void over(const Vec3& to) {
     const Vec3 h = tangent_ + to;
-    // The quotient first: it does not wait for the normal, which comes from joint to joint.
+    // Divide first: the quotient does not depend on the normal, which depends on the last joint.
     const Floats share = Floats(2.0f) / max(dot(h, h), Floats(1e-12f));
     normal_ = normal_ - (share * dot(normal_, to)) * h;
     tangent_ = to;
@@ -55,31 +55,32 @@ class CarriedFrame {
   Vec3 tangent_, normal_, binormal_;
 };
 
-/// Moves the points x[1 .. points - 1] of one group to y of BendingFactors. `before` [links] and
-/// `rootBefore`: the directions of the links (unit) and the root's frame before the substep.
-/// `force` [points] is f per linear density (m²/s²), overwritten.
+/// One implicit Euler step: moves the points x[1 .. points - 1] of one group to y of
+/// BendingFactors. `before` [links] and `rootBefore`: directions of the links (unit) and frame of
+/// the root before the substep. `force` [points] is f per linear density (m²/s²), overwritten.
 HWY_INLINE void solveBending(const BendingGroup& group, const RootFrame& root,
                              const RootFrame& rootBefore, const Vec3* before, Vec3* force,
                              Vec3* x) {
   const std::uint32_t links = group.points - 1;
   const Vec3 zero(glm::vec3(0));
   CarriedFrame now(root), then(rootBefore);
-  // d over the rest length, as E is quadratic in the points.
+  // Links over their rest lengths, not of unit length: E is then quadratic in the points.
   Vec3 d = root.tangent, dThen = rootBefore.tangent;
-  // The right-hand side, f - grad E(x) - damping, and behind it the forward sweep. The root is
-  // fixed.
+  // Form the right-hand side, f - grad E(x) - damping, from root to tip, and follow with the
+  // forward sweep of L as soon as a point has all of its force. The root is fixed.
   Vec3 last = zero, beforeLast = zero;
   Floats inverseLength = 0.0f;
   for (std::uint32_t i = 0; i < links; ++i) {
     const Floats inverseLengthBefore = inverseLength;
     inverseLength = group.inverseLength[i];
     const Vec3 next = inverseLength * (x[i + 1] - x[i]);
-    // The rate of the strain is taken in the carried frame, where turning with the head is none.
+    // Find the torque g of joint i. Its damping compares strains in the carried frames, in which a
+    // rotation of the whole strand with the head does not change them.
     const Vec3 bent = now.fromWorld(next - d), bentThen = then.fromWorld(before[i] - dThen);
     const Vec3 strain = bent - Vec3(group.curvature[i]);
     const Vec3 g = Floats(group.jointStiffness[i]) *
                    now.toWorld(strain + Floats(group.damping) * (bent - bentThen));
-    // g_i pushes on link i, and back on link i - 1. With that, point i - 1 has all of its force.
+    // Apply g_i to link i, and its opposite to link i - 1. This completes the force on point i - 1.
     if (i > 1) {
       const Vec3 swept = (force[i - 1] - inverseLengthBefore * g) -
                          Floats(group.below1[i - 1]) * last -
@@ -89,18 +90,19 @@ HWY_INLINE void solveBending(const BendingGroup& group, const RootFrame& root,
     }
     if (i > 0) force[i] = force[i] + (inverseLength + inverseLengthBefore) * g;
     force[i + 1] = force[i + 1] - inverseLength * g;
+    // Carry both frames to the next joint.
     d = next, dThen = before[i];
     now.over((Floats(1.0f) / max(length(d), Floats(1e-12f))) * d);
     then.over((Floats(1.0f) / max(length(dThen), Floats(1e-12f))) * dThen);
   }
-  // The last two points, but never the root.
+  // Sweep the last two points, but never the root.
   for (std::uint32_t i = links > 1 ? links - 1 : 1; i <= links; ++i) {
     const Vec3 swept =
         force[i] - Floats(group.below1[i]) * last - Floats(group.below2[i]) * beforeLast;
     force[i] = swept;
     beforeLast = last, last = swept;
   }
-  // Backward: the movement.
+  // Sweep back with D and Lᵀ, and move the points.
   Vec3 after = zero, afterNext = zero;
   Floats below1 = 0.0f, below2 = 0.0f, below2After = 0.0f;
   for (std::uint32_t i = links; i >= 1; --i) {

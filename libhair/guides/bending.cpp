@@ -6,8 +6,8 @@ namespace hair {
 
 namespace {
 
-// Says what link i may pull; returns its tension under this weight where the system must hold it,
-// else 0.
+// Sets the largest tension and compression of link i. Returns its rest tension under this weight
+// where that is beyond the explicit limit and so must join the system, else 0.
 double beyondExplicit(const GuideStrands& guides, std::size_t group, std::size_t lane,
                       std::size_t i, double h, BendingFactors& out) {
   const std::size_t n = guides.pointsPerGuide(), at = group * (n - 1) + i;
@@ -21,18 +21,20 @@ double beyondExplicit(const GuideStrands& guides, std::size_t group, std::size_t
   return held;
 }
 
-// One lane, in double precision: the factors lose digits where links are short and h is long.
+// Factors the system of one guide, in double precision: digits cancel where links are short and h
+// is long.
 void factorLane(const GuideStrands& guides, std::size_t group, std::size_t lane, double h,
                 BendingFactors& out) {
   const std::size_t n = guides.pointsPerGuide(), links = n - 1;
   std::array<double, kMaxGuidePoints> diagonal{}, below1{}, below2{}, d{}, l1{}, l2{};
-  // What is tied moves with its head whatever pulls on it: as if it was very heavy.
+  // Put M / h² on the diagonal. Tied points move with the head under any force: give them a very
+  // large mass.
   constexpr double kTied = 1e12;
   for (std::size_t i = 0; i < n; ++i)
     diagonal[i] = guides.pointMass[group * n + i][lane] / (h * h) *
                   (guides.inverseMass[group * n + i][lane] > 0 ? 1 : kTied);
   for (std::size_t i = 0; i < links; ++i) {
-    // q_i = d_i - d_(i-1) in terms of points i - 1, i and i + 1.
+    // Add the energy of joint i: d_i - d_(i-1) in terms of points i - 1, i and i + 1.
     const double kappa = (1.0 + out.damping) * guides.jointStiffness[group * links + i][lane];
     const double next = 1.0 / guides.linkLength[group * links + i][lane];
     const double before = i > 0 ? 1.0 / guides.linkLength[group * links + i - 1][lane] : 0.0;
@@ -45,6 +47,7 @@ void factorLane(const GuideStrands& guides, std::size_t group, std::size_t lane,
     below1[i] -= kappa * before * (next + before);
     below2[i + 1] += kappa * next * before;
   }
+  // Factor: below1 and below2 become L, diagonal becomes D. Leave out the root, which is fixed.
   for (std::size_t i = 1; i < n; ++i) {
     l2[i] = i > 2 ? below2[i] / d[i - 2] : 0;
     l1[i] = i > 1 ? (below1[i] - (i > 2 ? l2[i] * d[i - 2] * l1[i - 1] : 0)) / d[i - 1] : 0;

@@ -14,13 +14,15 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// Farther than links drag most points in a substep: those that go farther look again (substep).
+// Metres: search distance of the contact pass, farther than the links move most points in a
+// substep. Points that move farther are rechecked (step.cpp).
 inline constexpr float kFarEnough = 1e-3f;
-// As much as the distance to the head may change over a metre: that of neighbouring nodes changes
-// by a cell at most, along each axis; and more than there is for what far nodes may be wrong by.
+// Bound of the gradient of the head's distance field, metres per metre. Neighbouring nodes differ
+// by at most a cell along each axis, which gives sqrt(3); the rest allows for errors of far nodes.
 inline constexpr float kHeadSlope = 1.75f;
 
-/// How far points are from body and head at least.
+/// Lower bounds, metres, of how far points are beyond the distance that they must keep from body
+/// and head.
 struct Clearance {
   Floats body, head;
 
@@ -29,25 +31,26 @@ struct Clearance {
   HWY_INLINE Mask within(float distance) const { return !(min(body, head) > Floats(distance)); }
 };
 
-/// How to look: only planes `within` so many metres are of use, and so many metres less than asked
-/// for need to be kept.
+/// Parameters of a search: find planes up to `within` metres away, with the required distances
+/// reduced by `slack` metres.
 struct Look {
   float within, slack;
 };
 
-/// Keeps in `best` the plane of a capsule where that is nearer than what it holds, or its distance
-/// alone where that is beyond `within`; true if it was a plane anywhere.
+/// Replaces `best` by the plane of a capsule in the lanes where that is nearer; if all of these are
+/// beyond `within`, only its distance. Returns true if it has set a plane.
 HWY_INLINE bool nearerCapsule(const Vec3& p, const NearCapsule& capsule, Floats reach, float within,
                               ContactPlane& best) {
   const Foot foot = footOf(capsule, p);
   const Vec3 out = p - foot.point;
-  // Most capsules are farther than what is held already: no root is needed to see that.
+  // Reject most capsules by the squared distance, without a square root.
   const Floats length2 = dot(out, out), far = best.distance + reach;
   if (!any(length2 < far * far)) return false;
   const Floats r = sqrt(length2), d = r - reach;
   const Mask nearer = d < best.distance;
   best.distance = select(nearer, d, best.distance);
   if (!any(nearer & !(d > Floats(within)))) return false;
+  // Set the tangent plane, and the motion of the surface at the foot.
   const Vec3 normal = (Floats(1.0f) / max(r, Floats(1e-9f))) * out;
   const Vec3 move = Vec3(capsule.moveA) + foot.t * Vec3(capsule.moveAxis);
   best.normal = select(nearer, normal, best.normal);
@@ -56,7 +59,8 @@ HWY_INLINE bool nearerCapsule(const Vec3& p, const NearCapsule& capsule, Floats 
   return true;
 }
 
-/// The same for the head, in the lanes that may be near it; `known` is made exact.
+/// The same for the head, in the lanes whose lower bound `known` does not exceed `within`; updates
+/// `known`.
 HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& colliders,
                            float within, Floats& known, ContactPlane& best) {
   const Mask look = !(known > Floats(within));
@@ -64,6 +68,7 @@ HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& c
     best.distance = min(known, best.distance);
     return false;
   }
+  // Look up a bound from one node, and the interpolated distance only where that is near.
   const SdfLookup head(*colliders.head);
   const Vec3 local = rotate(glm::transpose(colliders.turn), p - Vec3(colliders.at));
   const Floats bound = head.lowerBound(local, look) - keep;
@@ -71,10 +76,12 @@ HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& c
   Floats d = bound;
   if (any(near)) d = select(near, head.distance(local, near) - keep, bound);
   known = select(look, d, known);
+  // Keep the nearer distance, with no plane where it is beyond `within`.
   const Mask nearer = known < best.distance, touches = look & nearer & !(known > Floats(within));
   best.distance = select(nearer, known, best.distance);
   best.offset = select(look & nearer, Floats(-kFar), best.offset);
   if (!any(touches)) return false;
+  // Set the plane from the gradient, and the motion of the surface from the head's.
   const Vec3 normal = rotate(colliders.turn, head.direction(local, touches));
   const Vec3 move = p - (rotate(colliders.turnBefore, local) + Vec3(colliders.atBefore));
   best.normal = select(touches, normal, best.normal);
@@ -83,11 +90,11 @@ HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& c
   return true;
 }
 
-/// The plane of the collider nearest to each of sixteen points (deepest, where inside), which are
-/// points `index` of their strands, `way` metres after the last anchored one. A lane far from
-/// everything gets a plane that never touches; false: all are, and only the distance is set.
-/// Colliders that `clearance` knows to be far are not looked at, and it is made exact of the
-/// others.
+/// Finds the plane of the capsule or head nearest to each of sixteen points (of the one deepest
+/// penetrated, if inside): points `index` of their strands, `way` metres of strand after the last
+/// anchored point. A lane far from all gets a plane that nothing touches; returns false if all
+/// lanes do, and then sets only the distance. Skips colliders that `clearance` shows to be beyond
+/// `how.within`; updates it for the others.
 HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const Floats& way,
                                       const Floats& headClearance, const Surroundings& around,
                                       const Look& how, Clearance& clearance, ContactPlane& plane) {
@@ -97,7 +104,7 @@ HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const 
     for (const NearCapsule& capsule : around.capsules)
       found |= nearerCapsule(p, capsule, capsule.reach.of(index, way) - Floats(how.slack),
                              how.within, best);
-    // What a capsule has swallowed may be out again soon.
+    // Required distances may change where a capsule covers anchored points: assume nothing.
     clearance.body = around.swallowed ? Floats(0.0f) : best.distance;
   } else {
     best.distance = clearance.body;
@@ -114,7 +121,7 @@ HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const 
   return found;
 }
 
-/// Coulomb: of the way along the surface, takes back as much as friction can for this push.
+/// Coulomb friction: takes back movement along the surface, relative to it, up to friction · depth.
 HWY_INLINE Vec3 rub(const Vec3& x, const Vec3& before, const ContactPlane& plane, Floats depth,
                     float friction) {
   const Vec3 moved = x - before - plane.surfaceMove;

@@ -13,7 +13,7 @@ namespace HAIR_API hair {
 
 class MeshSdf;
 
-/// Where colliders are at the end of one substep, and where they were before it.
+/// Colliders at the end of one substep, and before it.
 struct ColliderState {
   RigidTransform worldFromHead,       ///< at the end
       worldFromHeadBefore;            ///< before
@@ -23,22 +23,22 @@ struct ColliderState {
   Scenery scenery{};                  ///< planes and meshes at the end
 };
 
-/// The points next to the root go where the head goes. Where a collider has swallowed the place
-/// that the head holds for one of them (the neck does, when the head is thrown back), there is no
-/// way out: it keeps that point only as far off as that place is, and the points after it farther
-/// and farther, by this share of the way along the strand.
+/// The first points after the root move with the head. If a collider covers the rest position of
+/// one of them (the neck does when the head is thrown back), no valid position exists: the required
+/// distance of that point is reduced to that of its rest position and half the skin, and grows back
+/// along the strand at the rate kReachGrowth.
 inline constexpr std::uint32_t kAnchoredPoints = 3;
-/// The share that kAnchoredPoints speaks of.
+/// Growth of the required distance after the last anchored point, metres per metre of strand.
 inline constexpr float kReachGrowth = 0.7f;
 
-/// Capsules of a body, at the most.
+/// Most capsules that a body may have.
 inline constexpr std::size_t kMaxCapsules = 64;
 
-/// Metres. Strands do not look farther than this for capsules.
+/// Metres beyond the skin within which strands look for capsules, planes and meshes.
 inline constexpr float kSight = 0.01f;
 
-/// Boxes around sixteen capsules and all that may touch them, and in which their surfaces moved
-/// since the substep before. Those beyond the last hold nothing.
+/// For sixteen capsules, the boxes in which points may touch them, and bounds of the motion of
+/// their surfaces since the previous substep. Lanes beyond the last capsule hold empty boxes.
 struct CapsuleBoxes {
   LaneVec3 lower,      ///< corners of the boxes towards -x, -y, -z, metres
       upper;           ///< corners towards +x, +y, +z
@@ -46,7 +46,7 @@ struct CapsuleBoxes {
       mostMove;        ///< and the greatest
 };
 
-/// A ColliderState as the solver wants it, made once for all strands.
+/// The colliders of one substep in the form that the solver reads, made once for all strands.
 struct SubstepColliders {
   glm::mat3 turn,                       ///< rotation of the head, worldFromHead, at the end
       turnBefore;                       ///< and before
@@ -60,7 +60,7 @@ struct SubstepColliders {
   std::span<const MeshPlace> meshes;    ///< [meshes] of this substep
 };
 
-/// Appends the boxes of these capsules, `reach` metres larger. `before`: same count and order.
+/// Appends the boxes of these capsules, enlarged by `reach` metres. `before`: same count and order.
 void appendBoxes(std::span<const Capsule> capsules, std::span<const Capsule> before, float reach,
                  std::vector<CapsuleBoxes>& boxes);
 

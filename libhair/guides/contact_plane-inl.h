@@ -1,4 +1,5 @@
-// What a collider is to a point for one substep; included by kernels (core/simd-inl.h).
+// The plane that stands for a collider near a point during one substep; included by kernels
+// (core/simd-inl.h).
 #if defined(HAIR_GUIDES_CONTACT_PLANE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_GUIDES_CONTACT_PLANE_INL_H
 #undef HAIR_GUIDES_CONTACT_PLANE_INL_H
@@ -13,26 +14,32 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// Farther than anything reaches in a substep.
+// Metres; farther than any distance of interest in a substep.
 inline constexpr float kFar = 1e3f;
 
 /// The half-space normal · x >= offset in which a point of a strand must stay for one substep, and
-/// how far the surface moved in it.
+/// the motion of the surface during it, metres.
 struct ContactPlane {
   Vec3 normal;
   Floats offset;
   Vec3 surfaceMove;
-  Floats distance;  ///< of the point to the plane when it was found; no collider is nearer
+  Floats distance;  ///< of the point to the plane when it was found, metres; no collider is nearer
 };
 
-/// How far points must keep from a collider. [i]: point i + 1; points after the last of them that
-/// far plus their way along the strand times kReachGrowth; at most `full`. Counted from wherever
-/// the collider's kind counts: a capsule from its axis, others from their surface.
+/// The distance that points must keep from a collider, metres: from the axis of a capsule, from the
+/// surface of others. Reduced where the collider covers the rest positions of anchored points:
+///
+///     full           _______
+///                   /           slope kReachGrowth, over the length `way` of the strand
+///     anchored   __/
+///           point 1 2 3 4 5 ...
+///
+/// anchored[i] is that of point i + 1: the distance of its rest position and half the skin.
 struct Reach {
   Floats anchored[kAnchoredPoints];
   float full;
 
-  /// `heldAt` [i]: how far the head holds point i + 1 from there.
+  /// `heldAt` [i]: the distance of the rest position of point i + 1, metres.
   HWY_INLINE void set(const Floats* heldAt, float full_, float skin) {
     full = full_;
     for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)

@@ -57,15 +57,18 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
   jointStiffness.resize(groups * links);
   uneven.resize(groups);
   tied.assign(groups, 1);
+  // Fill all lanes; those beyond the last guide repeat it.
   for (std::size_t slot = 0; slot < groups * kLanes; ++slot) {
     const std::size_t guide = std::min(slot, guideCount_ - 1), group = slot / kLanes,
                       l = slot % kLanes;
     const auto points = groom.guide(guide);
+    // Make the rest shape, in a frame at the root.
     const glm::vec3 first = points[1] - points[0];
     const glm::vec3 direction = glm::length(first) > 0 ? glm::normalize(first) : glm::vec3(0, 1, 0);
     const RestShape rest = makeRestShape(points, rootNormalOf(direction), settings, guide);
     setLane(rootTangent[group], l, direction);
     setLane(rootNormal[group], l, rootNormalOf(direction));
+    // Set the points. The root is always tied.
     const std::uint32_t held = groom.tied.empty() ? 1 : std::clamp(groom.tied[guide], 1u, points_);
     tied[group] = std::max(tied[group], held);
     for (std::size_t i = 0; i < n; ++i) {
@@ -75,6 +78,7 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
       pointMass[group * n + i][l] = rest.mass[i];
       inverseMass[group * n + i][l] = i >= held ? 1.0f / rest.mass[i] : 0.0f;
     }
+    // Set the links, and find the one that limits the substep.
     float length = 0;
     for (std::size_t i = 0; i < links; ++i) {
       if (rest.borne[i] < leastBorne_)
@@ -104,7 +108,7 @@ float GuideStrands::longestSubstep(const RigidTransform& at, float weight) const
   require(h >= kShortestSubstep, "groom: guide ", weakestGuide_, " link ", weakestLink_,
           " is too short for what it carries: it would take substeps of ", h, " s, below ",
           kShortestSubstep, "; take longer or more even links");
-  // In which gravity moves a point by 25 spacings.
+  // Take at least the time in which gravity moves a point by 25 spacings.
   const float floor = std::max(1.0f / 6000, std::sqrt(25 * spacing / 9.81f));
   const float taut =
       std::max(std::max(longestUnderTension_, floor) / std::sqrt(weight), kShortestSubstep);

@@ -19,8 +19,8 @@ class MeshSdf;
 
 /// Guide strands as rigid links: state and rest shape.
 ///
-/// Sixteen strands lie side by side ("a group"), so that every pass works on all of them at once;
-/// element [group · points + i] holds point i of guides 16·group .. 16·group + 15:
+/// Strands are stored in groups of sixteen, one strand a SIMD lane, so that every pass works on
+/// sixteen at once; element [group · points + i] holds point i of guides 16·group .. 16·group + 15:
 ///
 ///                lane 0    lane 1   ...  lane 15
 ///     point 0    guide 0   guide 1       guide 15    } group 0, read from root to tip
@@ -30,25 +30,26 @@ class MeshSdf;
 ///
 /// Lanes beyond the last guide repeat it. Link i joins points i and i + 1.
 ///
-/// Shape. With d_i the direction of link i and d_-1 that of the root, bending has the energy
+/// Rest shape. With d_i the direction of link i and d_-1 that of the root, bending has the energy
 ///     E = sum_i kappa_i / 2 · |d_i - d_(i-1) - c_i|²,    kappa_i = stiffness / length of the
 ///     joint,
 /// where the rest curvature c_i is fixed in the frame of link i - 1, and frames are carried along
-/// the chain from the root by parallel transport. c_i holds the torque that gravity asks for at
-/// rest (computed from tip to root), so the groom is an equilibrium. What is in the bars is the
-/// *strain* of joint i; its rate of change is damped.
+/// the chain from the root by parallel transport. c_i includes the torque that balances gravity at
+/// rest (computed from tip to root), so that the groom is an equilibrium. The term in the bars is
+/// the *strain* of joint i; its rate of change is damped.
 class GuideStrands {
  public:
   /// At rest in the groom, on a head at `worldFromHead`. `head` (may be null) is the collider of
   /// the head in head space: points groomed closer to it than the skin may stay as close.
-  /// Throws Error: fewer than 2 or more than kMaxGuidePoints points, one that is not finite, a link
-  /// without length, and as validate(RigidTransform) and requirePrecision do (validate.h).
+  /// Throws Error for no guides, fewer than 2 or more than kMaxGuidePoints points, points that are
+  /// not finite, links not in 1e-6 to 1e5 m, settings out of range, ties of another number of
+  /// guides, and as makeRestShape and reset do.
   GuideStrands(const Groom& groom, const GuideSettings& settings,
                const RigidTransform& worldFromHead = {}, const MeshSdf* head = nullptr);
 
-  /// How many guides there are.
+  /// Number of guides.
   std::size_t guideCount() const { return guideCount_; }
-  /// Groups of sixteen guides, the last one filled up.
+  /// Number of groups of sixteen guides; the last group is padded.
   std::size_t groupCount() const { return (guideCount_ + kLanes - 1) / kLanes; }
   /// Points of each guide, the root included.
   std::uint32_t pointsPerGuide() const { return points_; }
@@ -56,24 +57,24 @@ class GuideStrands {
   std::uint32_t linksPerGuide() const { return points_ - 1; }
 
   float shortestLink() const { return shortestLink_; }  ///< metres
-  /// How far from the head's joint a point can be, as no link stretches, metres.
+  /// Largest distance of a point from the head's origin, as no link stretches, metres.
   float reach() const { return reach_; }
-  float restGravity() const { return restGravity_; }  ///< that its rest shape holds against, m/s²
-  /// What substep its shortest and stiffest joints bear on a head at `worldFromHead`, seconds;
+  float restGravity() const { return restGravity_; }  ///< gravity of the rest shape, m/s²
+  /// Longest substep, seconds, at which the solver is stable on a head at `worldFromHead`;
   /// stepGuides takes none longer. Rounding turns a link by r / l, with r the spacing of floats,
-  /// and with it the torque g that it carries: its ends, of mass m, are thrown by g r h² / (m l²),
-  /// which must be no more than a few times l for the link to find back. Measured: up to 4 times it
-  /// does; at 20 a strand shakes. Throws Error, that names the link, where that takes less than
-  /// 1/20000 s.
+  /// and with it the torque g that it carries: this displaces its ends, of mass m, by
+  /// g r h² / (m l²), which may be no more than a few times l if the link is to return. Measured:
+  /// up to 4 times it does; at 20 a strand shakes. Throws Error, naming the link, where this
+  /// requires substeps below 1/20000 s.
   ///
-  /// Strands of uneven links take substeps for what pulls on them, too: `weight` times that of the
-  /// hair at rest, >= 1. But where it is 1 none below 1/6000 s, or in which gravity moves a point
-  /// by less than 25 times the spacing of floats: half of a spacing is lost, and hair would stick
-  /// where a fiftieth of gravity no longer moves it.
+  /// For strands of uneven links tension limits the substep, too: `weight` is the load on the hair
+  /// over that at rest, >= 1. At weight 1 this limit is no shorter than 1/6000 s, nor than the time
+  /// in which gravity moves a point by 25 times the spacing of floats: half of a spacing is lost to
+  /// rounding, and hair would stick where a fiftieth of gravity no longer moves it.
   float longestSubstep(const RigidTransform& worldFromHead, float weight = 1) const;
 
-  /// Back to the groom at rest on a head at `worldFromHead`, without speed. Throws Error for one
-  /// that is not finite or too far from the origin (validate.h).
+  /// Resets to the groom at rest on a head at `worldFromHead`, with zero velocity. Throws Error for
+  /// a head that is not finite or too far from the origin (validate.h), and as longestSubstep.
   void reset(const RigidTransform& worldFromHead);
   /// World position of one point.
   glm::vec3 point(std::size_t guide, std::uint32_t i) const;
@@ -86,7 +87,7 @@ class GuideStrands {
   std::vector<LaneVec3> position;  ///< metres, world
   std::vector<LaneVec3> velocity;  ///< m/s
   std::vector<Lanes> tension;      ///< of the last substep, per linear density (m²/s²)
-  RigidTransform worldFromHead;    ///< where the roots are now
+  RigidTransform worldFromHead;    ///< head that carries the roots, now
 
   // Rest shape, head space.
   std::vector<LaneVec3> restPosition;  ///< [groupCount · pointsPerGuide]
@@ -100,10 +101,10 @@ class GuideStrands {
   std::vector<Lanes> jointStiffness;  ///< [groupCount · linksPerGuide], kappa_i per linear density
   std::vector<Lanes> pointMass;     ///< [groupCount · pointsPerGuide], per linear density (metres)
   std::vector<Lanes> inverseMass;   ///< [groupCount · pointsPerGuide], 1 / pointMass; 0 for the
-                                    ///< root and what is tied (Groom::tied)
-  std::vector<std::uint32_t> tied;  ///< [groupCount], points that are tied in some strand, >= 1
+                                    ///< root and tied points (Groom::tied)
+  std::vector<std::uint32_t> tied;  ///< [groupCount], most tied points of a strand, >= 1
   std::vector<Lanes> clearance;     ///< [groupCount · pointsPerGuide], least distance to the head
-  /// [groupCount], whether a strand has uneven links (kEven).
+  /// [groupCount], 1 if a strand has uneven links (kEven).
   std::vector<std::uint8_t> uneven;
 
  private:
@@ -116,7 +117,7 @@ class GuideStrands {
   std::size_t weakestGuide_ = 0, weakestLink_ = 0;
 };
 
-/// Normal of the frame at a strand's root: any, but a fixed function of the root direction.
+/// Normal of the frame at a strand's root: arbitrary, but a fixed function of the root direction.
 glm::vec3 rootNormalOf(glm::vec3 rootDirection);
 
 }  // namespace hair

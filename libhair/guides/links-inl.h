@@ -14,23 +14,23 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-/// What a point may touch. Most touch nothing: `near` and `touched` spare them the work.
+/// The contact of a point. `near` and `touched` let the many points without one skip the work.
 struct Contact {
   ContactPlane plane;
   Mask touching;         ///< lanes where the point rests on its plane; set where `touched`
   bool near = false;     ///< a lane has a plane
-  bool touched = false;  ///< a lane rests on it
+  bool touched = false;  ///< a lane rests on its plane
 };
 
-/// How much of its freedom along the normal a touching point loses. Not all of it: a link that
-/// stands on its contact would have no freedom left, and the system no solution.
+/// The share of its freedom along the normal that a touching point loses. Not all of it: a link
+/// at a right angle to its plane could lose all freedom, and make the system singular.
 inline constexpr float kSlide = 0.98f;
 
-/// A link between two tied points has no freedom: what its system divides by instead. Less than any
-/// other has, enough that nothing overflows before it is multiplied by their inverse masses, 0.
+/// The pivot of a link between two tied points, whose own is 0. Smaller than that of any other
+/// link, and large enough that nothing overflows before it is multiplied by the inverse masses, 0.
 inline constexpr float kTiedPivot = 1e-12f;
 
-/// What is left of a point's movement where it may only slide.
+/// Removes the share kSlide of the movement along the normal, in the lanes that touch.
 HWY_INLINE Vec3 slide(const Contact& contact, const Vec3& move) {
   if (!contact.touched) return move;
   const Vec3& normal = contact.plane.normal;
@@ -41,27 +41,29 @@ HWY_INLINE Vec3 slide(const Contact& contact, const Vec3& move) {
 ///
 /// With C the violations, J their gradients (± d_i on the two ends) and W the inverse masses:
 ///     (J W Jᵀ) lambda = -C,    x += W Jᵀ lambda.
-/// A link shares a point with the one before and the one after, so J W Jᵀ is tridiagonal. A point
-/// in contact may only slide: its W is w (I - n nᵀ), which keeps the system tridiagonal and lets
-/// low stretch and no penetration hold together.
+/// A link shares points with the previous and the next link only, so J W Jᵀ is tridiagonal. A point
+/// in contact may only slide: its W is w (I - kSlide n nᵀ). The system stays tridiagonal, and its
+/// solution neither stretches links nor pushes points into colliders, to first order.
 ///
-/// `inverseMass` [points]: 0 for the root. `lambda` [links] is added to (mass per linear density ·
-/// metres): divided by h² it is minus the tension.
+/// `inverseMass` [points]: 0 for the root and tied points. Adds to `lambda` [links] (mass per
+/// linear density · metres), which divided by h² is minus the change of tension.
 HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
                              const Lanes* inverseMass, const Contact* contacts, Floats* lambda,
                              Vec3* x) {
   const std::uint32_t links = points - 1;
   Vec3 d[kMaxGuidePoints];
   Floats above[kMaxGuidePoints], right[kMaxGuidePoints];
-  // Thomas, forward sweep. With W_i the inverse mass of point i and d unit, row i is
+  // Sweep forward (Thomas). With W_i the inverse mass of point i and d unit, row i is
   //     -c_i lambda_(i-1) + (a_i + b_i) lambda_i - c_(i+1) lambda_(i+1),
   //     a_i = W_i d_i · d_i,  b_i = W_(i+1) d_i · d_i,  c_i = W_i d_(i-1) · d_i;
-  // `above` is -c_(i+1) over the pivot. What the root lacks in mass makes its a and c zero.
+  // `above`[i] is c_(i+1) over the pivot of row i: the entry above the diagonal with its sign
+  // turned. The root's inverse mass, 0, makes a_0 zero.
   Floats pivot = 0.0f, intoBefore = 0.0f;
   for (std::uint32_t i = 0; i < links; ++i) {
     const Vec3 e = x[i + 1] - x[i];
     const Floats lengthNow = max(length(e), Floats(1e-9f));
     d[i] = (Floats(1.0f) / lengthNow) * e;
+    // Form a, b and c, less along the normals of points in contact.
     Floats a = inverseMass[i], b = inverseMass[i + 1], c = a;
     if (i > 0) {
       Floats turn = dot(d[i - 1], d[i]);
@@ -78,9 +80,10 @@ HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
           select(contacts[i + 1].touching, dot(contacts[i + 1].plane.normal, d[i]), Floats(0.0f));
       b = b - b * (kSlide * (intoBefore * intoBefore));
     }
+    // Eliminate the entry left of the diagonal.
     Floats diagonal = a + b, rhs = Floats(linkLength[i]) - lengthNow;
     if (i > 0) {
-      // Not by way of `above`: each pivot waits for the one before.
+      // Not computed from `above`, to keep the dependency from pivot to pivot short.
       diagonal = diagonal - (c * c) * pivot;
       above[i - 1] = c * pivot;
       rhs = rhs + c * right[i - 1];
@@ -89,7 +92,7 @@ HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
     pivot = Floats(1.0f) / max(diagonal, max(least, Floats(kTiedPivot)));
     right[i] = rhs * pivot;
   }
-  // Backward; what link i and the one after it do to the point between them.
+  // Sweep back, and move the point between link i and the next by the difference of their pulls.
   Floats after = 0.0f;
   Vec3 moveAfter(glm::vec3(0));
   for (std::uint32_t i = links; i-- > 0;) {
@@ -103,9 +106,9 @@ HWY_INLINE void correctLinks(std::uint32_t points, const Lanes* linkLength,
   }
 }
 
-/// Root to tip: puts every point at exactly its link's length from the one before, and outside its
-/// plane where that is within reach. What Newton has left is a small fraction of a link.
-/// `directions` [links]: of the links then, unit.
+/// Removes the stretch that Newton has left, a small fraction of a link: from root to tip, puts
+/// every point at exactly its link's length from the previous point, and out of its plane where a
+/// link of this length gets there. `directions` [links]: unit, of the finished links.
 HWY_INLINE void finishLinks(std::uint32_t points, const Lanes* linkLength,
                             const Lanes* inverseLength, const Contact* contacts, Vec3* x,
                             Vec3* directions) {
@@ -113,15 +116,16 @@ HWY_INLINE void finishLinks(std::uint32_t points, const Lanes* linkLength,
   for (std::uint32_t i = 0; i + 1 < points; ++i) {
     const Floats l = linkLength[i];
     const Vec3 e = x[i + 1] - start;
-    // The end first: what follows along the strand waits for it.
+    // Scale the link to its length. Compute its end first: the next link depends on it.
     const Vec3 along = (l / max(length(e), Floats(1e-9f))) * e;
     Vec3 end = start + along;
     if (contacts[i + 1].near) {
       const ContactPlane& plane = contacts[i + 1].plane;
       const Mask inside = dot(plane.normal, end) < plane.offset;
       if (any(inside)) {
-        // On the circle that the sphere of radius l about x_i cuts out of the plane, the point
-        // nearest to where the link points: climb by `rise` along the normal, keep the heading.
+        // Move an end that penetrates to the nearest point of the circle in which the sphere of
+        // radius l about x_i meets the plane: `rise` along the normal, `run` along the plane in the
+        // direction of the link.
         const Floats rise = min(max(plane.offset - dot(plane.normal, start), -l), l);
         const Vec3 direction = Floats(inverseLength[i]) * along;
         const Vec3 flat = direction - dot(direction, plane.normal) * plane.normal;
@@ -130,8 +134,8 @@ HWY_INLINE void finishLinks(std::uint32_t points, const Lanes* linkLength,
         end = select(inside, start + (rise * plane.normal + run * flat), end);
       }
     }
-    // Of the points as they were rounded: the next substep sees those, and what is not in both of
-    // two strains that it compares would be damped as if it moved.
+    // Take the direction from the rounded points, as the next substep does: damping compares the
+    // two strains, and would take a difference in rounding for motion.
     directions[i] = Floats(inverseLength[i]) * (end - start);
     x[i + 1] = start = end;
   }

@@ -10,7 +10,7 @@ namespace hair {
 
 namespace {
 
-// The larger of the two, but NaN once there is one: hair that has gone wrong must show.
+// Keeps the larger of the two. NaN is kept for good: broken hair must show in the figures.
 void worse(float& worst, float value) {
   if (!(value <= worst) && !std::isnan(worst)) worst = value;
 }
@@ -27,7 +27,7 @@ GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settin
   for (std::size_t g = 0; g < guides.guideCount(); ++g) {
     const std::size_t group = g / kLanes, l = g % kLanes;
     float way = 0;
-    // How much deeper in a collider point i is than the place where the head holds it (contact.h).
+    // Depth of point i in a collider beyond the depth that its rest position allows (contact.h).
     const auto deeper = [&](const auto& collider, std::uint32_t i) {
       const std::size_t anchor = group * n + std::min(i, kAnchoredPoints);
       const glm::vec3 held = guides.worldFromHead.point(lane(guides.restPosition[anchor], l));

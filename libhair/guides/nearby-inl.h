@@ -1,4 +1,4 @@
-// Which capsules sixteen strands have to look at; included by the solver's kernel
+// Broad phase: the capsules near sixteen strands; included by the solver's kernel
 // (core/simd-inl.h).
 #if defined(HAIR_GUIDES_NEARBY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_GUIDES_NEARBY_INL_H
@@ -18,14 +18,14 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-/// A capsule worth looking at.
+/// A capsule near the strands, prepared for distance queries.
 struct NearCapsule {
-  glm::vec3 a, axis, moveA, moveAxis;  ///< move...: since the substep before
+  glm::vec3 a, axis, moveA, moveAxis;  ///< move...: change since the previous substep, metres
   float perAxis2;                      ///< 1 / |axis|², 0 for a sphere
-  Reach reach;                         ///< from its axis
+  Reach reach;                         ///< required distance from its axis
 };
 
-/// Where the axis of a capsule is nearest to points: a + t · axis.
+/// The point of a capsule's axis nearest to a point: a + t · axis.
 struct Foot {
   Floats t;
   Vec3 point;
@@ -37,7 +37,8 @@ HWY_INLINE Foot footOf(const NearCapsule& c, const Vec3& p) {
   return {t, a + t * axis};
 }
 
-/// `anchors`: where the head holds points 1 to kAnchoredPoints of sixteen strands.
+/// Prepares a capsule. `anchors`: rest positions, carried by the head, of points 1 to
+/// kAnchoredPoints of sixteen strands.
 HWY_INLINE void lookAt(const Capsule& now, const Capsule& before, const Vec3* anchors, float skin,
                        NearCapsule& near) {
   const glm::vec3 axis = now.b - now.a;
@@ -51,13 +52,14 @@ HWY_INLINE void lookAt(const Capsule& now, const Capsule& before, const Vec3* an
   near.reach.set(held, now.radius + skin, skin);
 }
 
-/// The capsules near sixteen strands, one a bit, and the box in which their surfaces moved.
+/// The capsules near sixteen strands, one bit each, and bounds of the motion of their surfaces,
+/// metres.
 struct Near {
   std::uint64_t capsules = 0;
   glm::vec3 leastMove{0}, mostMove{0};
 };
 
-/// Around the points of sixteen strands.
+/// A bounding box in each lane, of one strand; least and most are those of all sixteen.
 struct Box {
   Vec3 lower, upper;
 
@@ -71,7 +73,7 @@ struct Box {
   }
 };
 
-/// `x` [points].
+/// Finds the capsules whose boxes meet the box around all points `x` [points] of sixteen strands.
 HWY_INLINE Near findNear(std::uint32_t points, const Vec3* x, const SubstepColliders& colliders) {
   Near near;
   if (colliders.capsules.empty()) return near;
@@ -91,23 +93,24 @@ HWY_INLINE Near findNear(std::uint32_t points, const Vec3* x, const SubstepColli
   return near;
 }
 
-/// All that may be near sixteen strands.
+/// The colliders near sixteen strands, prepared by lookAround.
 struct Surroundings {
   const SubstepColliders& colliders;
   std::span<const NearCapsule> capsules;
-  float seen;      ///< no other capsule is nearer, metres
-  bool swallowed;  ///< one of these holds a point less far from its axis than others
+  float seen;      ///< lower bound of the distance to all other capsules, metres
+  bool swallowed;  ///< a capsule covers the rest position of an anchored point (Reach)
 };
 
-/// Where the head holds points 1 to kAnchoredPoints of sixteen strands; `rest` [points].
+/// Rest positions, carried by the head, of points 1 to kAnchoredPoints of sixteen strands; `rest`
+/// [points] in head space.
 HWY_INLINE void findAnchors(std::uint32_t points, const LaneVec3* rest,
                             const SubstepColliders& colliders, Vec3* anchors) {
   for (std::uint32_t i = 0; i < kAnchoredPoints; ++i)
     anchors[i] = rotate(colliders.turn, rest[std::min(i + 1, points - 1)]) + Vec3(colliders.at);
 }
 
-/// Looks at these capsules, which go to `room` [kMaxCapsules], unless that is done already.
-/// `rest` [points]: of the strands, in head space.
+/// Prepares these capsules (one bit each) in `room` [kMaxCapsules], the first time that it is
+/// called in a substep. `rest` [points]: rest positions of the strands, in head space.
 HWY_INLINE void lookAround(std::uint32_t points, const LaneVec3* rest, float skin,
                            std::uint64_t capsules, NearCapsule* room, Surroundings& around) {
   if (around.capsules.data()) return;

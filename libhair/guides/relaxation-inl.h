@@ -15,13 +15,12 @@ namespace hair {
 namespace HWY_NAMESPACE {
 
 /// One sweep of relaxation, root to tip, after van Overveld 1991, which Bertails et al. 2005 (4.1)
-/// animate their guides with: each link in turn takes its rest length, its two ends giving way by
-/// their inverse masses,
+/// animate their guides with: each link in turn takes its rest length, its two ends moving in
+/// proportion to their inverse masses,
 ///     lambda = (l - |e|) / (d · (W_i + W_(i+1)) d),  x_i -= W_i lambda d,  x_(i+1) += W_(i+1)
 ///     lambda d,
-/// which wrongs the link before it; more sweeps make that good. It is correctLinks with the links'
-/// effects on each other left out of the system, and W as there: a point in contact may only slide.
-/// Arguments as there.
+/// which disturbs the previous link; further sweeps reduce the error. This is correctLinks without
+/// the coupling between links, with the same W (a point in contact may only slide) and arguments.
 HWY_INLINE void relaxLinks(std::uint32_t points, const Lanes* linkLength, const Lanes* inverseMass,
                            const Contact* contacts, Vec3* x) {
   for (std::uint32_t i = 0; i + 1 < points; ++i) {

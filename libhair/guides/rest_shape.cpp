@@ -10,12 +10,14 @@ namespace hair {
 
 namespace {
 
-// Whether small sideways movements of the rest shape cost energy: bending (times `factor`) against
-// what compressed links give back. With u_k the sideways movement of point k,
+// Whether the rest shape is stable against buckling: small sideways movements must cost more energy
+// in bending (times `factor`) than compressed links release. With u_k the sideways movement of
+// point k,
 //     2 E = factor · sum kappa_i ((u_(i+1) - u_i) / l_i - (u_i - u_(i-1)) / l_(i-1))²
 //           + kMargin · sum T_i (u_(i+1) - u_i)² / l_i
 // is positive if every pivot of its pentadiagonal matrix is.
 bool stands(const RestShape& rest, std::size_t links, double factor) {
+  // Form the matrix, as factorBending does.
   constexpr double kMargin = 2;
   std::array<double, kMaxGuidePoints + 2> diagonal{}, below1{}, below2{}, d{}, l1{};
   for (std::size_t i = 0; i < links; ++i) {
@@ -30,6 +32,7 @@ bool stands(const RestShape& rest, std::size_t links, double factor) {
     below1[i] -= kappa * before * (next + before);
     below2[i + 1] += kappa * next * before;
   }
+  // Factor it, and stop at the first pivot that is not positive.
   for (std::size_t i = 1; i <= links; ++i) {
     const double l2 = i > 2 ? below2[i] / d[i - 2] : 0;
     l1[i] = i > 1 ? (below1[i] - (i > 2 ? l2 * d[i - 2] * l1[i - 1] : 0)) / d[i - 1] : 0;
@@ -39,6 +42,7 @@ bool stands(const RestShape& rest, std::size_t links, double factor) {
   return true;
 }
 
+// The least factor of the stiffness with which the rest shape is stable, by bisection.
 double stiffnessToStand(const RestShape& rest, std::size_t links) {
   if (stands(rest, links, 1)) return 1;
   double low = 1, high = 2;
@@ -50,32 +54,34 @@ double stiffnessToStand(const RestShape& rest, std::size_t links) {
 
 // Rest curvatures that hold the groom up against gravity.
 //
-// F_i, the weight (per linear density) of all that hangs on link i, must be carried by the link:
+// Link i must carry F_i, the weight (per linear density) of all points after it:
 //     F_i = (g_i - g_(i+1)) / l_i + T_i d_i,    g_i = kappa_i (d_i - d_(i-1) - c_i).
-// From the tip on, take for g_i what is transverse in g_(i+1) + l_i F_i: the torque of joint i.
-// What is left along the link is tension. Then c_i = d_i - d_(i-1) - g_i / kappa_i.
+// From tip to root, the part of g_(i+1) + l_i F_i across the link is g_i, the torque of joint i,
+// and the rest, along the link, is its tension. Then c_i = d_i - d_(i-1) - g_i / kappa_i.
 void holdAgainstGravity(std::span<const glm::vec3> points, glm::vec3 rootNormal, glm::vec3 gravity,
                         RestShape& rest) {
   const std::size_t links = points.size() - 1;
   std::array<glm::vec3, kMaxGuidePoints> d, g;
   for (std::size_t i = 0; i < links; ++i) d[i] = glm::normalize(points[i + 1] - points[i]);
+  // Find torques and tensions from tip to root.
   glm::vec3 weight(0), torque(0);
   for (std::size_t i = links; i-- > 0;) {
     weight += rest.mass[i + 1] * gravity;
     const glm::vec3 full = torque + rest.linkLength[i] * weight;
     g[i] = full - glm::dot(full, d[i]) * d[i];
     rest.tension[i] = glm::dot(d[i], weight - (g[i] - torque) / rest.linkLength[i]);
-    // The torques of both of its joints push on the ends of link i, away from it on either side.
+    // Take the larger torque of its two joints: both push on the ends of link i.
     const float mass = i > 0 ? std::min(rest.mass[i], rest.mass[i + 1]) : rest.mass[i + 1];
     const float most = std::max(glm::length(g[i]), glm::length(torque));
     rest.borne[i] = mass * rest.linkLength[i] * rest.linkLength[i] * rest.linkLength[i] / most;
     torque = g[i];
   }
+  // Stiffen the strand if it would buckle, and find the curvatures in the transported frames.
   const auto factor = static_cast<float>(stiffnessToStand(rest, links));
   glm::vec3 tangent = d[0], normal = rootNormal;
   for (std::size_t i = 0; i < links; ++i) {
     rest.stiffness[i] *= factor;
-    // Without stiffness no curvature holds anything up.
+    // A strand without stiffness holds nothing up: keep its curvature as groomed.
     const glm::vec3 held = rest.stiffness[i] > 0 ? g[i] / rest.stiffness[i] : glm::vec3(0);
     const glm::vec3 c = d[i] - tangent - held;
     rest.curvature[i] = {glm::dot(c, normal), glm::dot(c, glm::cross(tangent, normal)),
@@ -85,10 +91,10 @@ void holdAgainstGravity(std::span<const glm::vec3> points, glm::vec3 rootNormal,
   }
 }
 
-// Tension T is stable in explicit steps of h² <= m l / T, with the lateral stiffness 4 T / l of a
-// chain. The bending system holds the rest tension of short links whatever h is (BendingFactors),
-// but nothing holds what is more, or what pushes where gravity has turned: strands of uneven links
-// take steps in which that is a tenth.
+// Explicit steps of h² <= m l / T are stable under tension T, with the lateral stiffness 4 T / l of
+// a chain. The bending system holds the rest tension of short links for any h (BendingFactors), but
+// nothing holds tension beyond that, or compression where the strand has turned against gravity:
+// strands of uneven links take steps of a tenth of this h².
 float longestUnderTension(const RestShape& rest, std::size_t links) {
   const auto [least, most] =
       std::minmax_element(rest.linkLength.begin(), rest.linkLength.begin() + links);
@@ -100,20 +106,20 @@ float longestUnderTension(const RestShape& rest, std::size_t links) {
   return std::sqrt(h2);
 }
 
-// A bending system has entries m / h² of mass and kappa / l² of stiffness, and loses digits of what
-// is soft beside what is stiff. With kappa of a joint, s and b the shorter and the longer link at
-// it and m the mass of its point, the stiff kappa / s² stands beside the soft m / h² + kappa / b²:
+// The bending system has entries m / h² of mass and kappa / l² of stiffness; soft entries lose
+// digits beside stiff ones. With kappa of a joint, s and b the shorter and the longer link at it
+// and m the mass of its point, the stiff kappa / s² is beside the soft m / h² + kappa / b²:
 //     C = (kappa / s²) / (m / h² + kappa / b²)
 // is 1 at most where links are even, and (b / s)² where they are not. Floats have 7 digits.
 // Measured on a link of 0.02 mm between two of 2 cm: strands rest where C is 6e4, and shake where
-// it is 2e5. And links as even as may be are bent by rounding alone where kappa h² / (m l²) is 1e10
-// (measured).
+// it is 2e5. Even links are bent by rounding alone where kappa h² / (m l²) is 1e10 (measured).
 float longestSubstep(const RestShape& rest, std::size_t links, std::size_t guide) {
   constexpr float kMostUneven = 3e4f, kMostEven = 1e9f;
   float longest = INFINITY;
   for (std::size_t i = 0; i < links; ++i) {
     const float next = rest.linkLength[i], before = i > 0 ? rest.linkLength[i - 1] : next;
     const float s = std::min(before, next), b = std::max(before, next);
+    // Solve both limits for m / h².
     const float kappa = rest.stiffness[i], joint = 0.5f * (i > 0 ? before + next : next);
     const float least =
         std::max(kappa / (s * s) / kMostUneven - kappa / (b * b), kappa / (s * s) / kMostEven);
@@ -138,7 +144,8 @@ RestShape makeRestShape(std::span<const glm::vec3> points, glm::vec3 rootNormal,
   for (std::size_t i = 0; i < links; ++i) {
     const float s = static_cast<float>(i) / static_cast<float>(links);
     const float stiffness = settings.bendingStiffness * glm::mix(1.0f, settings.tipStiffness, s);
-    // The length that bends at the joint: half a link at the clamped root.
+    // Take half of both links as the length that bends at a joint; at the clamped root, half of
+    // one.
     const float joint =
         i == 0 ? 0.5f * rest.linkLength[0] : 0.5f * (rest.linkLength[i - 1] + rest.linkLength[i]);
     rest.stiffness[i] = stiffness / settings.linearDensity / joint;

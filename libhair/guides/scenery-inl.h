@@ -1,4 +1,4 @@
-// Planes and meshes as sixteen strands meet them; included by the solver's kernel
+// Contact of sixteen strands with planes and meshes; included by the solver's kernel
 // (core/simd-inl.h).
 #if defined(HAIR_GUIDES_SCENERY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_GUIDES_SCENERY_INL_H
@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-/// Planes and meshes worth looking at.
+/// Planes and meshes near the strands, with the distances that points must keep from them.
 struct NearPlane {
   const PlanePlace* place;
   Reach reach;
@@ -42,8 +42,8 @@ HWY_INLINE Floats distanceTo(const MeshPlace& mesh, const Vec3& p) {
   return Floats(mesh.scale) * SdfLookup(*mesh.sdf).distance(local, !none());
 }
 
-/// Of all scenery what comes near the box around `x` [points], sixteen strands. `anchors`: where
-/// the head holds points 1 to kAnchoredPoints.
+/// Broad phase: collects the planes and meshes near the box around `x` [points] of sixteen strands.
+/// `anchors`: rest positions, carried by the head, of points 1 to kAnchoredPoints.
 HWY_NOINLINE inline NearScenery findScenery(const SubstepColliders& colliders, std::uint32_t points,
                                             const Vec3* x, const Vec3* anchors, float skin,
                                             NearPlane* planes, NearMesh* meshes) {
@@ -58,6 +58,7 @@ HWY_NOINLINE inline NearScenery findScenery(const SubstepColliders& colliders, s
     near.reach.set(held, skin, skin);
   };
   std::size_t planeCount = 0, meshCount = 0;
+  // Test the corner of the box that is deepest behind each plane, and the boxes of meshes.
   for (const PlanePlace& plane : colliders.planes) {
     const glm::vec3 lowest = glm::mix(least, most, glm::lessThan(plane.normal, glm::vec3(0)));
     if (glm::dot(plane.normal, lowest - plane.point) < reach) look(plane, planes[planeCount++]);
@@ -69,7 +70,7 @@ HWY_NOINLINE inline NearScenery findScenery(const SubstepColliders& colliders, s
   return {{planes, planeCount}, {meshes, meshCount}};
 }
 
-/// Keeps in `best` the plane where that is nearer than what it holds; true if it was anywhere.
+/// Replaces `best` by the plane in the lanes where that is nearer; returns true if there is one.
 HWY_INLINE bool nearerPlane(const Vec3& p, const PlanePlace& plane, Floats keep,
                             ContactPlane& best) {
   const Vec3 normal(plane.normal), fromPoint = p - Vec3(plane.point);
@@ -84,8 +85,8 @@ HWY_INLINE bool nearerPlane(const Vec3& p, const PlanePlace& plane, Floats keep,
   return true;
 }
 
-/// The same for a mesh, in the lanes that may be near it; `known`: metres that points are from it
-/// at least, is made more exact. Looks no farther than kSight.
+/// The same for a mesh, up to kSight away, in the lanes whose lower bound `known` of the distance,
+/// metres, does not exceed that; updates `known`. As nearerHead.
 HWY_INLINE bool nearerMesh(const Vec3& p, const MeshPlace& mesh, Floats keep, Floats& known,
                            ContactPlane& best) {
   const Floats enough = kSight;
@@ -113,10 +114,12 @@ HWY_INLINE bool nearerMesh(const Vec3& p, const MeshPlace& mesh, Floats keep, Fl
   return true;
 }
 
-/// What is left of a point's way before it may be at a mesh, along a strand from its root.
+/// A lower bound of the distance to all meshes, lowered from point to point of a strand by the
+/// distance between them.
 struct MeshClearance {
   Floats left = 0.0f;
-  bool swallowed;  ///< reach may change as much as the way
+  /// A mesh covers an anchored point: required distances grow too, at most as fast as the path.
+  bool swallowed;
 
   HWY_INLINE explicit MeshClearance(const NearScenery& scenery)
       : swallowed(std::ranges::any_of(
@@ -124,9 +127,10 @@ struct MeshClearance {
   HWY_INLINE void step(Floats way) { left = left - (swallowed ? way + way : way); }
 };
 
-/// The same for all scenery, after capsules and head. Point `index` of its strand, `way` metres
-/// after the last anchored one. `slack`: so many metres less than asked for need to be kept.
-/// `near`: `plane` is one, and not just a distance; returns whether it is one now.
+/// The same for all scenery, after capsules and head, for point `index` of its strand, `way` metres
+/// after the last anchored one. `slack`: metres by which required distances are reduced. `near`:
+/// `plane` holds a plane, not only a distance; returns whether it does afterwards. `clearance`:
+/// lower bound of the distance to all meshes; updated.
 HWY_NOINLINE inline bool nearerScenery(const Vec3& p, std::uint32_t index, const Floats& way,
                                        const NearScenery& scenery, float slack, bool near,
                                        Floats& clearance, ContactPlane& plane) {

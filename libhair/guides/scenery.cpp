@@ -9,7 +9,7 @@ namespace hair {
 namespace {
 
 PlanePlace placeOf(const Plane& before, const Plane& now) {
-  // What was at back · (p - now.point) + before.point is at p.
+  // Find where the surface at p was before: at back · (p - now.point) + before.point.
   const glm::mat3 back = glm::mat3_cast(turnBetween(now.normal, before.normal));
   return {now.normal, now.point, glm::mat3(1) - back, now.point - before.point};
 }

@@ -1,3 +1,16 @@
+// One substep of length h, of sixteen strands ("a group") at once; point 0 is the root:
+//
+//      position, velocity, tension
+//        |  predict    x = position + h velocity; force = gravity, air, push, tension
+//        |  pin        put the root and tied points on the head
+//        |  bend       x += (M / h² + K)⁻¹ (force - grad E(x))                  bending-inl.h
+//        |  contacts   find the nearest collider's plane, n · x >= offset       contact-inl.h
+//    .-> |  links      push x out of the planes, solve |x_(i+1) - x_i| = l_i    links-inl.h
+//    '-- |  recheck    find new planes for points that the links moved far
+//        v
+//      velocity = (x - position) / h,   tension -= lambda / h²
+//
+// stepGuides, at the end, cuts a frame into substeps and runs those of a group on one thread.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "libhair/guides/step.cpp"
 #include <hwy/foreach_target.h>
@@ -17,7 +30,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// Everything that one substep of one group reads, pointing into the group's part of the arrays.
+// What a substep reads and writes of one group: pointers into the arrays of GuideStrands.
 struct Group {
   std::uint32_t points, tied;
   LaneVec3 *position, *velocity;
@@ -30,8 +43,8 @@ struct Group {
   bool uneven;
 };
 
-// Scales the tensions of a strand down until none is beyond what predict may apply: cut one by one
-// they would no longer balance, and throw light points between a short link and a long one.
+// Scale all tensions of a strand by one factor, so that none exceeds what predict may apply.
+// Clamped one by one they would not balance, and throw light points between uneven links.
 HWY_NOINLINE void scaleTensions(const Group& g) {
   Floats share = 1.0f;
   for (std::uint32_t i = 0; i + 1 < g.points; ++i) {
@@ -43,12 +56,11 @@ HWY_NOINLINE void scaleTensions(const Group& g) {
     store(share * Floats(g.tension[i]), g.tension[i]);
 }
 
-// What a substep of a group works on. Not set before it is written: there is room for the longest
-// strands, and most are shorter.
+// Working memory of a group. Left uninitialised: it is sized for the longest strands.
 struct Scratch {
   Vec3 x[kMaxGuidePoints], force[kMaxGuidePoints], seenAt[kMaxGuidePoints];
   Clearance clear[kMaxGuidePoints];  // of the points at seenAt
-  Vec3 directions[kMaxGuidePoints];  // of the links, unit, where the last substep left them
+  Vec3 directions[kMaxGuidePoints];  // of the links, unit, after the last substep
   Floats lambda[kMaxGuidePoints], way[kMaxGuidePoints];
   Contact contacts[kMaxGuidePoints];
   NearCapsule near[kMaxCapsules];
@@ -56,7 +68,7 @@ struct Scratch {
   NearMesh meshes[kMaxMeshes];
 };
 
-// Of the links, unit.
+// Unit directions of the links.
 template <class Points>
 HWY_INLINE void findDirections(std::uint32_t points, const Points* x, Vec3* directions) {
   for (std::uint32_t i = 0; i + 1 < points; ++i) {
@@ -73,20 +85,20 @@ HWY_NOINLINE void addWind(const WindField& wind, const Vec3& p, const Lanes* sha
   air = air + (share ? Floats(*share) * blown : blown);
 }
 
-// x = where its velocity alone takes every free point in time h; force = all that acts on it but
-// bending, per linear density.
+// Predict: x = position after time h at the current velocity; force = all forces but bending, per
+// linear density.
 HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const WindField* wind,
                         float h, const SubstepColliders& colliders, Scratch& s) {
   const float keep = 1.0f / (1.0f + settings.airDrag * h);
-  // What moves with the head was, h ago, at back · (p - now) + then: it moves with the velocity
-  // carry · (p - now) + drift.
+  // Find the head's velocity field. A point p carried by the head was at back · (p - now) + then a
+  // time h ago, so its velocity is carry · (p - now) + drift.
   const glm::mat3 back = colliders.turnBefore * glm::transpose(colliders.turn);
   const glm::mat3 carry = (glm::mat3(1) - back) * (1.0f / h);
   const Vec3 drift((colliders.at - colliders.atBefore) * (1.0f / h)), now(colliders.at);
   const Vec3 gravity(settings.gravity);
   constexpr float kPerRadius2 = 1.0f / (kCarriedAirRadius * kCarriedAirRadius);
-  // Tension acts along the links as they were; beyond what the system bears (BendingFactors) Newton
-  // does the rest.
+  // Apply the last tension along the last directions, clamped to what the bending system holds
+  // (BendingFactors); the Newton iterations find the rest.
   if (g.uneven) scaleTensions(g);
   const auto pullOf = [&](std::uint32_t i) HWY_ATTR {
     const Floats tension =
@@ -96,25 +108,30 @@ HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Win
   };
   Vec3 pull = pullOf(0);
   for (std::uint32_t i = 1; i < g.points; ++i) {
+    // Let the air move with the head near it, and with the wind.
     const Vec3 p = g.position[i], fromHead = p - now;
     const Floats share = Floats(settings.carriedAir) /
                          (Floats(1.0f) + Floats(kPerRadius2) * dot(fromHead, fromHead));
     Vec3 air = share * (rotate(carry, fromHead) + drift);
     if (wind) addWind(*wind, p, g.windShare ? g.windShare + i : nullptr, air);
+    // Sum gravity, the pull of the air and the push.
     Vec3 acceleration = gravity + Floats(keep * settings.airDrag) * air;
     if (g.push) acceleration = acceleration + Vec3(g.push[i]);
-    // Implicit drag: v' = (v + h drag · air) / (1 + h drag), then what else accelerates.
+    // Move by the velocity with implicit drag, v' = (v + h drag · air) / (1 + h drag); its second
+    // term is in the force.
     s.x[i] = p + Floats(h * keep) * Vec3(g.velocity[i]);
+    // Add the tensions of the links on both sides.
     Vec3 force = Floats(g.mass[i]) * acceleration - pull;
     if (i + 1 < g.points) pull = pullOf(i), force = force + pull;
     s.force[i] = force;
   }
 }
 
-// Every point sees its nearest collider, unless it is known to be clear of all: by what it saw a
-// substep ago, less the way it went since, or by what the point before it on the strand sees.
+// Contacts: find the plane of the nearest capsule or of the head for each point. Skip points whose
+// clearance, a lower bound of their distance to all of these, says that none is near.
 HWY_INLINE void findPlanes(const Group& g, float skin, const Near& near, Surroundings& around,
                            Scratch& s) {
+  // Bound how the colliders moved: capsules by drift ± spread, the head by its rigid motion.
   const SubstepColliders& colliders = around.colliders;
   const glm::mat3 turn = colliders.turn * glm::transpose(colliders.turnBefore);
   const Vec3 at(colliders.at), atBefore(colliders.atBefore);
@@ -129,22 +146,24 @@ HWY_INLINE void findPlanes(const Group& g, float skin, const Near& near, Surroun
     s.seenAt[i] = x;
     Contact& contact = s.contacts[i];
     contact.touched = contact.near = false;
-    // A point that moves with a collider does not come nearer to it.
+    // Lower the clearance of the last substep by the motion relative to the colliders.
     const Vec3 carried = rotate(turn, before - atBefore) + at;
     known.body = known.body - (length(x - (before + drift)) + spread);
     known.head = known.head - Floats(kHeadSlope) * length(x - carried);
     contact.plane.distance = min(known.body, known.head);
     if (!any(known.within(kFarEnough))) continue;
+    // Raise it by what is known of the previous point of the strand.
     const Floats link = length(x - s.x[i - 1]);
     known.body = max(known.body, s.clear[i - 1].body - link);
     known.head = max(known.head, s.clear[i - 1].head - Floats(kHeadSlope) * link);
+    // Query the colliders; this also makes the clearance exact.
     lookAround(g.points, g.restPosition, skin, near.capsules, s.near, around);
     contact.near =
         nearestPlane(x, i, way, g.clearance[i], around, {kFarEnough, 0}, known, contact.plane);
   }
 }
 
-// Every point sees the plane or mesh nearest to it, where that is nearer than what it sees already.
+// Contacts with scenery: replace a point's plane where a Plane or a mesh is nearer.
 HWY_NOINLINE NearScenery seeScenery(const Group& g, float skin, const SubstepColliders& colliders,
                                     Scratch& s) {
   Vec3 anchors[kAnchoredPoints];
@@ -162,7 +181,7 @@ HWY_NOINLINE NearScenery seeScenery(const Group& g, float skin, const SubstepCol
   return scenery;
 }
 
-// Points inside their planes are put on them.
+// Project points that penetrate their planes onto them, with friction.
 HWY_INLINE void pushOut(const Group& g, float friction, Scratch& s) {
   for (std::uint32_t i = 1; i < g.points; ++i) {
     Contact& contact = s.contacts[i];
@@ -178,14 +197,15 @@ HWY_INLINE void pushOut(const Group& g, float friction, Scratch& s) {
   }
 }
 
-// Links drag points off; those that went farther than to the collider they saw must look again.
-// True if one is inside another collider by now. The skin is for comfort: a point pinched between
-// two colliders has to do with a third of it.
+// Recheck: find the planes again for points that the links moved farther than the collider they
+// were near. True if one penetrates a collider. The skin is a safety margin; here, where a point
+// may be between two colliders, a third of it is enough.
 HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surroundings& around,
                           const NearScenery& scenery, Scratch& s) {
   const Look how{kSight, skin * (2.0f / 3.0f)};
   bool again = false;
   for (std::uint32_t i = 1; i < g.points; ++i) {
+    // Skip points that cannot have reached a collider yet.
     const Vec3 moved = s.x[i] - s.seenAt[i];
     ContactPlane& plane = s.contacts[i].plane;
     const Floats may = max(plane.distance, Floats(0.0f)) + Floats(0.5f * skin);
@@ -195,6 +215,7 @@ HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surrou
     s.clear[i] = Clearance(0);
     s.contacts[i].near =
         nearestPlane(s.x[i], i, s.way[i], g.clearance[i], around, how, s.clear[i], plane);
+    // Count the clearance from the full skin again.
     s.clear[i].body = s.clear[i].body - Floats(how.slack);
     s.clear[i].head = s.clear[i].head - Floats(how.slack);
     if (!scenery.empty()) {
@@ -207,7 +228,7 @@ HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surrou
   return again;
 }
 
-// Links of the group at their lengths, points outside of their colliders.
+// Links, directly: bring links to their lengths and keep points out of their planes.
 HWY_INLINE void solveLinks(const Group& g, const GuideSettings& settings, Scratch& s) {
   for (int iteration = 0; iteration < settings.iterations; ++iteration) {
     pushOut(g, settings.friction, s);
@@ -216,8 +237,8 @@ HWY_INLINE void solveLinks(const Group& g, const GuideSettings& settings, Scratc
   finishLinks(g.points, g.linkLength, g.bending.inverseLength, s.contacts, s.x, s.directions);
 }
 
-// The same by relaxation, whose stretch stays: to put links at their lengths as finishLinks does
-// would take the momentum out of what the sweeps have left.
+// Links, by relaxation. Keep the remaining stretch: restoring the lengths as finishLinks does would
+// remove the momentum of what the sweeps have not corrected.
 HWY_NOINLINE void relax(const Group& g, const GuideSettings& settings, Scratch& s) {
   for (int iteration = 0; iteration < settings.iterations; ++iteration) {
     pushOut(g, settings.friction, s);
@@ -231,23 +252,27 @@ void substep(const Group& g, const GuideSettings& settings, const WindField* win
              const SubstepColliders& colliders, Scratch& s) {
   const std::uint32_t n = g.points, links = n - 1;
   const bool direct = settings.linkSolver == LinkSolver::Direct;
+  // Predict, then pin the root, and other points in the lanes where they are tied.
   predict(g, settings, wind, h, colliders, s);
   for (std::uint32_t i = 0; i < g.tied; ++i) {
     const Vec3 onHead = rotate(colliders.turn, g.restPosition[i]) + Vec3(colliders.at);
     s.x[i] = i == 0 ? onHead : select(Floats(g.inverseMass[i]) > Floats(0.0f), s.x[i], onHead);
   }
+  // Bend, from the frames of the roots before and after.
   const RootFrame root{rotate(colliders.turn, g.rest.tangent),
                        rotate(colliders.turn, g.rest.normal)};
   const RootFrame rootBefore{rotate(colliders.turnBefore, g.rest.tangent),
                              rotate(colliders.turnBefore, g.rest.normal)};
   solveBending(g.bending, root, rootBefore, s.directions, s.force, s.x);
 
+  // Find a contact plane for each point.
   const Near near = findNear(n, s.x, colliders);
   Surroundings around{colliders, {}, kSight, false};
   findPlanes(g, settings.skin, near, around, s);
   NearScenery scenery;
   if (!colliders.planes.empty() || !colliders.meshes.empty())
     scenery = seeScenery(g, settings.skin, colliders, s);
+  // Solve the links, and again while rechecked points penetrate another collider.
   for (std::uint32_t i = 0; i < links; ++i) s.lambda[i] = 0.0f;
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
@@ -258,25 +283,24 @@ void substep(const Group& g, const GuideSettings& settings, const WindField* win
     if (!lookAgain(g, settings.skin, near.capsules, around, scenery, s)) break;
   }
 
-  // Relaxation leaves lambda 0, and tension where it was, at rest: that holds the groom, and does
-  // no work on links that keep their lengths. Feeding it back from sweeps that have not converged
-  // would make links swing.
+  // Update the tension for the next substep. Relaxation leaves lambda 0 and so the tension of the
+  // rest shape, which holds the groom: what unconverged sweeps would feed back makes links swing.
   const Floats perStep = 1.0f / h, perStep2 = 1.0f / (h * h);
   for (std::uint32_t i = 0; i < links; ++i) {
     Floats tension = Floats(g.tension[i]) - perStep2 * s.lambda[i];
-    // Between two tied points nothing is known of it, nor felt.
+    // Clear it between two tied points, where it is undefined and has no effect.
     if (i + 1 < g.tied)
       tension = select(Floats(g.inverseMass[i + 1]) > Floats(0.0f), tension, Floats(0.0f));
     store(tension, g.tension[i]);
   }
+  // Take the velocity from the movement.
   for (std::uint32_t i = 0; i < n; ++i) {
     store(perStep * (s.x[i] - Vec3(g.position[i])), g.velocity[i]);
     store(s.x[i], g.position[i]);
   }
 }
 
-// All substeps of the groups [begin, end). Those of a group in one go: its state stays in the
-// first-level cache.
+// Run all substeps of one group before those of the next: its state stays in the L1 cache.
 void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float h,
                 const GuideWorkspace& workspace, std::size_t begin, std::size_t end,
                 GuideStrands& guides) {
@@ -339,7 +363,7 @@ void shift(GuideStrands& guides, glm::vec3 by) {
   for (LaneVec3& p : guides.position) p = {p.x + by.x, p.y + by.y, p.z + by.z};
 }
 
-// Where roots and colliders are in each of the substeps, from `origin` on.
+// Interpolate head and colliders at the ends of all substeps, relative to `origin`.
 void cutFrame(const GuideMotion& motion, glm::vec3 origin, RigidTransform from, float skin,
               std::size_t substeps, GuideWorkspace& workspace) {
   RigidTransform to = motion.worldFromHead;
@@ -383,6 +407,7 @@ void cutFrame(const GuideMotion& motion, glm::vec3 origin, RigidTransform from, 
 
 void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,
                 GuideWorkspace& workspace, GuideStrands& guides) {
+  // Refuse input that a kernel could only turn into NaN.
   require(seconds >= 1e-6f && seconds <= 1, "stepGuides: a frame of ", seconds,
           " s is not in [1e-6, 1]; cut longer times into frames");
   validate(settings);
@@ -402,18 +427,21 @@ void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float 
   require(capsules == motion.capsulesBefore.size() && capsules <= kMaxCapsules,
           "stepGuides: ", motion.capsulesBefore.size(), " capsules before and ", capsules,
           " after; they must be as many, at most ", kMaxCapsules);
+  // Choose the substep, and factor the bending system for it.
   const float longest = longestSubstep(motion, settings, seconds, guides);
   const auto substeps =
       std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(seconds / longest - 1e-3f)));
   const float h = seconds / static_cast<float>(substeps);
   const float weight = glm::length(settings.gravity) / std::max(guides.restGravity(), 1e-3f);
   factorBending(guides, h, settings.bendDamping, std::max(weight, 1.0f), workspace.bending);
+  // Cut the frame into substeps.
   const glm::vec3 origin = stepOrigin(motion.worldFromHead);
   cutFrame(motion, origin, guides.worldFromHead, settings.skin, substeps, workspace);
   workspace.winds.clear();
   for (std::size_t s = 0; s < substeps && !motion.wind.still(); ++s)
     workspace.winds.push_back(
         motion.wind.at(motion.time + static_cast<double>(s) * double{h}).seenFrom(origin));
+  // Step near the origin, where floats are fine enough.
   shift(guides, -origin);
   parallelFor(guides.groupCount(), 1, [&](std::size_t begin, std::size_t end) {
     HWY_DYNAMIC_DISPATCH(stepGroups)(motion, settings, h, workspace, begin, end, guides);

@@ -14,46 +14,45 @@
 
 namespace HAIR_API hair {
 
-/// What carries and pushes the guides over one frame. Roots and colliders are interpolated inside
-/// the frame, from where the guides were left to what stands here.
+/// What moves the guides over one frame. Roots and colliders are interpolated inside the frame,
+/// from where they were at its start to where they are at its end.
 struct GuideMotion {
   RigidTransform worldFromHead{};             ///< at the end of the frame
   std::span<const Capsule> capsules{};        ///< body at the end of the frame
   std::span<const Capsule> capsulesBefore{};  ///< at its start; same count and order
   const MeshSdf* head = nullptr;              ///< collider in head space; null: none
   Wind wind{};                                ///< still air by default
-  double time = 0;                     ///< at the start of the frame, seconds; moves the gusts
+  double time = 0;                     ///< at the start of the frame, seconds; phase of the gusts
   std::span<const LaneVec3> push{};    ///< m/s² on every point, laid out as GuideStrands; or empty
-  std::span<const Lanes> windShare{};  ///< of the wind that gets to every point; or empty: all
+  std::span<const Lanes> windShare{};  ///< fraction of the wind at every point; or empty: 1
   Scenery scenery{};                   ///< at the end of the frame
-  Scenery sceneryBefore{};             ///< at its start; same counts and order, or none: it stood
+  Scenery sceneryBefore{};             ///< at its start; same counts and order, or empty: at rest
 };
 
-/// What stepGuides needs beside its inputs; kept by the caller, grown once.
+/// Working memory of stepGuides; kept by the caller, so that it is allocated once.
 struct GuideWorkspace {
-  BendingFactors bending;                   ///< of one length of substep
+  BendingFactors bending;                   ///< for one length of the substep
   std::vector<RigidTransform> heads;        ///< [substeps + 1]
   std::vector<Capsule> capsules;            ///< [(substeps + 1) · capsuleCount]
-  std::vector<CapsuleBoxes> boxes;          ///< of the same, sixteen at a time
+  std::vector<CapsuleBoxes> boxes;          ///< [(substeps + 1) · (capsuleCount / 16, rounded up)]
   std::vector<PlanePlace> planes;           ///< [substeps · planeCount]
   std::vector<MeshPlace> meshes;            ///< [substeps · meshCount]
-  std::vector<SubstepColliders> colliders;  ///< [substeps], of all these
+  std::vector<SubstepColliders> colliders;  ///< [substeps], views of the above
   std::vector<WindField> winds;             ///< [substeps]; empty: still air
 };
 
 /// Moves the guides over one frame of `seconds`. Each substep of length h:
-///   1. predict: velocity with drag, gravity, push, and the tension of the substep before;
+///   1. predict: velocity with drag, gravity, push, and the tension of the previous substep;
 ///   2. bend: implicit Euler on the bending energy (bending.h), one solve;
 ///   3. contact: the nearest collider's plane for each point, with friction (contact-inl.h);
 ///   4. links: Newton iterations, all links of a strand at once (links-inl.h), then exact lengths;
-///      or relaxation, one link after the other (relaxation-inl.h), with the stretch that it
-///      leaves;
+///      or relaxation, one link after the other (relaxation-inl.h), which leaves some stretch;
 ///   5. velocity = movement / h.
-/// Predicting with the last tension makes a groom at rest a fixed point of every substep, and is a
-/// good start for Newton otherwise. (Relaxation leaves tension as it is.)
-/// Throws Error: seconds not in [1e-6, 1], settings out of range, counts that differ, wind, head,
-/// capsules, scenery or pushes that are not valid, a head too far from the origin (validate.h). One
-/// workspace goes with one GuideStrands.
+/// Predicting with the last tension makes a groom at rest a fixed point of every substep, and
+/// starts Newton close to its solution otherwise. (Relaxation does not change the tension.)
+/// Throws Error for seconds not in [1e-6, 1], settings out of range, counts that differ, more than
+/// kMaxCapsules capsules, invalid wind, head, capsules, scenery or pushes, and a head too far from
+/// the origin (validate.h). Use one workspace per GuideStrands.
 void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,
                 GuideWorkspace& workspace, GuideStrands& guides);
 

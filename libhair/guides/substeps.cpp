@@ -7,7 +7,7 @@ namespace hair {
 
 namespace {
 
-// How a head moves that goes evenly from one place to another.
+// The velocity of a head that moves evenly from one place to another.
 struct HeadMotion {
   glm::vec3 drift, spin;  // m/s, rad/s
 
@@ -22,19 +22,19 @@ struct HeadMotion {
   }
 };
 
-// What pulls on the hair, of its weight at rest.
+// The load on the hair in this frame, over its weight at rest.
 float pullOf(const GuideMotion& motion, const GuideSettings& settings, const HeadMotion& head,
              const GuideStrands& guides) {
   const float spin = glm::length(head.spin), reach = guides.reach();
-  // Gusts double the wind.
+  // Add the speeds of wind (gusts double it) and head.
   const float speed =
       2 * glm::length(motion.wind.velocity) + glm::length(head.drift) + spin * reach;
   const float most = glm::length(settings.gravity) + settings.airDrag * speed + spin * spin * reach;
   return std::max(1.0f, most / std::max(guides.restGravity(), 1e-3f));
 }
 
-// In which no root leaves its way by more than half a link: at once, by another velocity than it
-// had, and then as it goes round.
+// The longest substep in which no root leaves its predicted path by more than half a link: because
+// its velocity differs from the last one, or because it moves on a circle.
 float longestForRoots(const HeadMotion& head, const GuideStrands& guides) {
   const std::size_t n = guides.pointsPerGuide();
   float change = 0;

@@ -39,7 +39,7 @@ void validate(std::span<const Capsule> capsules) {
 }
 
 void validatePush(std::span<const LaneVec3> push) {
-  // Without a branch per number: as a whole it is nearly always good.
+  // Test all without branches, and once at the end: pushes are nearly always valid.
   const Lanes most = lanes(1e6f);
   LaneMask bad{};
   for (const LaneVec3& p : push)
@@ -61,7 +61,8 @@ void requirePrecision(const GuideStrands& guides, const RigidTransform& worldFro
   const glm::vec3 at = glm::abs(worldFromHead.translation);
   const float farthest = std::max({at.x, at.y, at.z}) + guides.reach();
   const float spacing = floatSpacing(farthest);
-  // Each coordinate of both ends is off by half of that at most: sqrt(3) of it along a link.
+  // Each coordinate of both ends is rounded by at most half a spacing: sqrt(3) spacings along a
+  // link.
   require(1.74f * spacing <= 0.01f * guides.shortestLink(), "guides: ", farthest,
           " m from the origin floats are ", spacing, " m apart, too coarse for links of ",
           guides.shortestLink(), " m; bring the origin nearer (moveOrigin), or take longer links");

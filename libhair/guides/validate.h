@@ -8,27 +8,29 @@
 
 namespace hair {
 
-/// The door of a step: what a kernel could only turn into NaN is refused here. All throw Error.
+// Input validation of stepGuides: refuses what a kernel could only turn into NaN.
 
-/// A place for a head: finite, within 1e8 m, rotation of unit length (to 1 %).
+/// Throws Error for a head that is not finite, beyond 1e8 m, or whose rotation is not of unit
+/// length (to 1 %).
 void validate(const RigidTransform& worldFromHead);
 
-/// Finite, within 1e8 m, radius in [0, 1e8) m.
+/// Throws Error, naming the capsule, for one that is not finite, beyond 1e8 m, or of a radius not
+/// in [0, 1e8) m.
 void validate(std::span<const Capsule> capsules);
 
-/// Accelerations of any size below 1e6 m/s².
+/// Throws Error for a push that is not finite, or with a component of 1e6 m/s² or more.
 void validatePush(std::span<const LaneVec3> push);
 
-/// Between two floats next to each other, metres.
+/// Spacing of the floats next to `metres`, metres.
 float floatSpacing(float metres);
 
-/// Far from the origin the floats of a substep would swallow small movements, and hair would stick
-/// where it is: positions in it count from a place near the head then, a multiple of 16 m.
+/// Origin of the positions in a substep: the multiple of 16 m nearest to the head. Far from the
+/// world's origin, small movements would be lost to rounding and hair would stick.
 glm::vec3 stepOrigin(const RigidTransform& worldFromHead);
 
-/// World positions are floats: the farther from the origin, the farther apart. Refuses a head where
-/// rounding alone would stretch a link by more than a hundredth: 2 cm links beyond 1 km, 1 mm links
-/// beyond 64 m. The way out is an origin that is nearer (moveOrigin).
+/// World positions are floats, whose spacing grows with the distance from the origin. Throws Error
+/// where rounding alone could stretch a link by more than a hundredth: 2 cm links beyond 1 km, 1 mm
+/// links beyond 64 m. The remedy is a nearer origin (moveOrigin).
 void requirePrecision(const GuideStrands& guides, const RigidTransform& worldFromHead);
 
 }  // namespace hair

@@ -73,7 +73,7 @@ void rejoinFrom(std::size_t layer, HairMesh& mesh);
 /// A layer without faces on top.
 void addEmptyLayer(HairMesh& mesh);
 
-// Arguments, checked at the door.
+// Validation of arguments.
 void requireBundle(const HairMesh& mesh, std::uint32_t bundle);
 void requireBundles(const HairMesh& mesh, std::span<const std::uint32_t> bundles);
 void requireLayer(const HairMesh& mesh, std::size_t layer);

@@ -24,7 +24,7 @@ namespace HAIR_API hair {
 /// Throws Error (file, line or layer, cause) for what is no hair mesh.
 HairMesh readHairMesh(const std::filesystem::path& file);
 
-/// The same from bytes in memory; `name` stands for the file in messages.
+/// The same from bytes in memory; `name` names the file in messages.
 HairMesh parseHairMesh(std::string_view bytes, std::string_view name);
 
 /// Bundles in the order of the file: by descending n_j, otherwise as they are. [bundleCount]

@@ -13,7 +13,7 @@ struct MeshGroomSettings {
   /// 3 to kMaxGuidePoints; 0: as many as there are layers, so that links are about as long as the
   /// edges that they stand for, but 16 at least.
   std::uint32_t pointsPerGuide = 0;
-  float hairs = 100'000;  ///< that the drawn strands stand for together
+  float hairs = 100'000;  ///< that the drawn strands represent together
   /// [bundleCount], or empty: chains at the corners of a bundle keep their places on the head up to
   /// this layer (Groom::tied); 0: only their roots do. Of several bundles' the highest counts.
   std::vector<std::uint32_t> tied = {};

@@ -20,7 +20,7 @@ void combGuide(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 
 /// Moves p to the side of the face, about the head's vertical axis, if it hangs before it.
 glm::vec3 outOfFace(glm::vec3 p);
 
-/// Points at equal distances (as the crow flies, to float precision) along a polyline.
+/// Points along a polyline at equal straight distances from each other, to float precision.
 void equalLinks(std::span<const glm::vec3> dense, std::span<glm::vec3> points);
 
 }  // namespace hair

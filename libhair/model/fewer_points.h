@@ -8,9 +8,9 @@
 
 namespace hair {
 
-/// Points evenly from the Catmull-Rom curve through all of a strand's, by number: root and tip are
-/// kept, bit for bit, and as many points as there were are those that there were. At least 2 of
-/// both. (Points of the chords would do, but hair that lies round a head would shrink.)
+/// Resamples a strand evenly in the parameter of the Catmull-Rom curve through `all` its points:
+/// root and tip are kept, bit for bit, and with as many points as before, all are. At least 2 of
+/// both. (Linear interpolation would make hair around a head shrink.)
 inline void takePoints(std::span<const glm::vec3> all, std::span<glm::vec3> some) {
   const std::size_t last = all.size() - 1, most = some.size() - 1;
   for (std::size_t j = 0; j <= most; ++j) {

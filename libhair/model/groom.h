@@ -32,8 +32,8 @@ inline constexpr std::uint32_t kMaxGuidePoints = 64;
 struct Groom {
   std::uint32_t pointsPerGuide = 16;   ///< root and tip included, >= 2
   std::vector<glm::vec3> guidePoints;  ///< [guideCount · pointsPerGuide], root first
-  /// [guideCount], or empty: points from the root on that are tied to the head and keep their
-  /// places on it, 1 (or 0) for the root alone.
+  /// [guideCount], or empty: number of points, from the root on, that are fixed to the head; 1 (or
+  /// 0): the root alone.
   std::vector<std::uint32_t> tied;
 
   std::vector<std::uint32_t> first = {0};  ///< [strandCount + 1], as in StrandView
@@ -42,15 +42,15 @@ struct Groom {
   std::vector<glm::vec3>
       offsets;  ///< [pointCount], metres in the main guide's frame, or empty: none
 
-  Fibre fibre;  ///< what each drawn strand stands for
+  Fibre fibre;  ///< of each drawn strand
 
-  /// How many guides there are.
+  /// Number of guides.
   std::size_t guideCount() const {
     return pointsPerGuide > 0 ? guidePoints.size() / pointsPerGuide : 0;
   }
-  /// Drawn strands.
+  /// Number of drawn strands.
   std::size_t strandCount() const { return parents.size(); }
-  /// Points of all drawn strands.
+  /// Number of points of all drawn strands.
   std::size_t pointCount() const { return first.back(); }
   /// Points of guide g, root first.
   std::span<const glm::vec3> guide(std::size_t g) const {

@@ -25,7 +25,7 @@ struct StyleSettings {
   std::uint32_t wisps = 134;          ///< of three guides each, >= 1
   std::uint32_t pointsPerGuide = 16;  ///< >= 3
   std::uint32_t seed = 1;             ///< of everything random
-  float hairs = 100'000;              ///< that the drawn strands stand for together
+  float hairs = 100'000;              ///< that the drawn strands represent together
 
   // The cut: a guide ends at the cut height, or at the greatest length.
   float cutHeightFront = -0.13f;  ///< beside the face, head space

@@ -11,14 +11,14 @@
 
 namespace HAIR_API hair {
 
-/// What a frame needs to know of who moves.
+/// The pose of a body, as a frame needs it.
 struct BodyPose {
   RigidTransform worldFromHead;                ///< head space: see Groom
   std::vector<Capsule> capsules;               ///< same count and order at every time
   std::vector<RigidTransform> worldFromJoint;  ///< [jointCount], to draw the body
 };
 
-/// What of a clip is used, and what is repaired.
+/// The part of a clip that is used, and its repairs.
 struct MotionSettings {
   bool dropLeadIn = true;      ///< drop a calibration pose at the start (leadInFrames)
   std::size_t firstFrame = 0;  ///< of the clip as it comes; > 0 instead of dropLeadIn
@@ -27,36 +27,36 @@ struct MotionSettings {
   FlipSettings flips;          ///< what counts as one
 };
 
-/// A body that moves: a recorded clip, the built-in dance, or nobody moving at all.
+/// A moving body: a recorded clip, the built-in dance, or a body that stands still.
 class Motion {
  public:
   /// Throws Error for a clip without frames, or frames that it does not have.
   explicit Motion(Clip clip, const MotionSettings& settings = {});
-  /// The dance that comes with the library: a loop.
+  /// The built-in dance, which loops.
   static Motion dance();
-  /// Somebody who stands still.
+  /// A body that stands still.
   static Motion still();
 
   /// Seconds; 0: never moves. Later times hold the last pose, negative ones the first; a loop
-  /// (isLoop) goes round instead.
+  /// (isLoop) wraps around instead.
   double duration() const { return clip_.duration(); }
-  /// Whether time goes round after duration().
+  /// Whether time wraps around after duration().
   bool isLoop() const { return loop_; }
 
-  /// Where head, body and joints are at a time.
+  /// The pose at a time.
   BodyPose pose(double seconds) const;
   /// No allocation where `out` comes from an earlier call.
   void pose(double seconds, BodyPose& out) const;
 
-  /// Height of the floor, metres: under the lowest capsule in all but a tenth of
-  /// the frames (leaps leave the floor, spikes go through it).
+  /// Height of the floor, metres: below the lowest capsule in all but a tenth of the frames (leaps
+  /// leave the floor, errors of the recording penetrate it).
   float floorHeight() const { return floorHeight_; }
 
-  /// Who moves.
+  /// The body.
   const Body& body() const { return body_; }
-  /// What is played: without dropped frames and flips.
+  /// The clip that is played: without dropped frames and flips.
   const Clip& clip() const { return clip_; }
-  /// Frames of the clip as it came that were left out at its start.
+  /// Number of frames dropped at the start of the original clip.
   std::size_t droppedFrames() const { return droppedFrames_; }
   const std::vector<Flip>& flips() const { return flips_; }  ///< frames of clip()
 

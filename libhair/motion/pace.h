@@ -8,37 +8,36 @@
 
 namespace HAIR_API hair {
 
-/// Turns real time into whole frames of the simulation, all of the same length. Where drawing is
-/// slow there is more to catch up with in every picture, which makes the next picture slower still:
-/// so only so many frames are run a picture, and the time of the others is dropped. Motion then is
-/// slow, but goes on.
+/// Fixed time steps: converts real time into whole frames of the simulation, all of one length.
+/// Where drawing is slow, each picture has more frames to catch up with, which makes the next one
+/// slower still: the number of frames per picture is limited, and the time of the others is
+/// dropped. Motion is then slow, but does not stall.
 class Pace {
  public:
-  /// `fps`: frames a second of simulated time; `most`: frames a picture at a speed of 1 or less,
-  /// in proportion more at higher speeds. Throws Error: fps not in (0, 1e4], most below 1.
+  /// `fps`: frames per simulated second; `most`: frames per picture at a speed of 1 or less, in
+  /// proportion more at higher speeds. Throws Error for fps not in (0, 1e4] and most below 1.
   explicit Pace(double fps, int most = 2) : fps_(fps), most_(most) {
     require(fps > 0 && fps <= 1e4, "pace: ", fps, " frames a second is not in (0, 10000]");
     require(most >= 1, "pace: at most ", most, " frames a picture; take at least 1");
   }
 
-  /// Simulated seconds a real one, [0, 100]. What is owed so far stays owed. Throws Error beyond.
+  /// Simulated seconds per real second, [0, 100]. Keeps the time already owed. Throws Error beyond.
   void setSpeed(double speed) {
     require(speed >= 0 && speed <= 100, "pace: a speed of ", speed, " is not in [0, 100]");
     speed_ = speed;
   }
   /// Real time that passes while paused is neither owed nor dropped.
   void setPaused(bool paused) { paused_ = paused; }
-  /// As set; 1 at first.
+  /// The speed; initially 1.
   double speed() const { return speed_; }
-  /// As set; false at first.
+  /// Initially false.
   bool paused() const { return paused_; }
 
-  /// Frames to run after `seconds` more of real time. A clock that went backwards, or is not a
-  /// number, stands still.
+  /// Frames to run after `seconds` more of real time. Negative times and NaN count as 0.
   int framesDue(double seconds) {
     if (paused_) return 0;
     owed_ += std::min(seconds > 0 ? seconds : 0.0, kLongest) * speed_ * fps_;
-    // A frame that is due but for rounding is due.
+    // Allow for rounding, which must not delay a frame.
     const double due = std::floor(owed_ + 1e-9);
     const double run = std::min(due, std::ceil(most_ * std::max(1.0, speed_)));
     owed_ = std::max(0.0, owed_ - due);
@@ -46,11 +45,11 @@ class Pace {
     return static_cast<int>(run);
   }
 
-  /// Simulated seconds that were left out so far.
+  /// Simulated seconds dropped so far.
   double droppedSeconds() const { return dropped_ / fps_; }
 
  private:
-  static constexpr double kLongest = 1e6;  // seconds; after a longer stop nobody counts
+  static constexpr double kLongest = 1e6;  // seconds; longer pauses are cut
 
   double fps_, speed_ = 1;
   int most_;

@@ -28,7 +28,7 @@ struct WindField {
       v += std::sin(6.28318531f * (glm::dot(wave.perMetre, p) + wave.phase)) * wave.swing;
     return v;
   }
-  /// The same air where places count from `origin`.
+  /// The same field for positions relative to `origin`.
   WindField seenFrom(glm::vec3 origin) const {
     WindField field = *this;
     for (Wave& wave : field.waves) {
@@ -42,12 +42,12 @@ struct WindField {
 /// Moving air: a steady flow, and gusts that travel with it.
 struct Wind {
   glm::vec3 velocity{0};    ///< m/s; zero: still air
-  float gust = 0.5f;        ///< swing of the speed, as a fraction of it, [0, 1]
-  float gustLength = 0.5f;  ///< metres from gust to gust
-  /// How well hair keeps the wind off the hair behind it, metres, [0, 1]: behind so many metres of
-  /// hair in each square metre across the wind, exp(-shelter · those) of it is left. Half a hair's
-  /// width times its drag coefficient, about 1e-4, is what real hair does; 0: none, and no work.
-  /// The density is that of self-collision: without that there is no shelter.
+  float gust = 0.5f;        ///< amplitude of the gusts, as a fraction of the speed, [0, 1]
+  float gustLength = 0.5f;  ///< length of the longest gusts over 2 pi, metres, [1e-3, 1e6)
+  /// Attenuation of the wind by hair, metres, [0, 1]: behind a column density of d metres of hair
+  /// per square metre across the wind, the fraction exp(-shelter · d) of it is left. Real hair:
+  /// half its width times its drag coefficient, about 1e-4; 0: none, at no cost. Uses the density
+  /// of self-collision; without that there is no shelter.
   float shelter = 0;
 
   /// Speed below 200 m/s, gust and shelter in [0, 1], gustLength in [1e-3, 1e6); false for anything
@@ -56,11 +56,12 @@ struct Wind {
     return glm::dot(velocity, velocity) < 4e4f && gust >= 0 && gust <= 1 && gustLength >= 1e-3f &&
            gustLength < 1e6f && shelter >= 0 && shelter <= 1;
   }
-  /// No wind at all.
+  /// No wind.
   bool still() const { return velocity == glm::vec3(0); }
 
-  /// At time t (seconds): incommensurate waves that are carried along the flow, and a weaker one
-  /// across it. Phases are whole turns short of what they are, so that time takes no digits.
+  /// The wind at time t, seconds: waves of incommensurate lengths that travel with the flow, one of
+  /// them swinging across it. Whole turns are removed from the phases in double precision, so that
+  /// large times cost no digits.
   WindField at(double t) const {
     WindField field{velocity, {}};
     const float speed = glm::length(velocity);

@@ -12,7 +12,8 @@ namespace HAIR_API hair {
 float extentSeen(StrandView strands, const LightSpace& light);
 
 /// Settings of the density map for shadows averaged over a disc of radius `footprint` (metres, >
-/// 0), as measurement chose them (docs/accuracy.md). Reads the strands' extent under that light.
+/// 0), as measurement chose them (docs/measurements.md). Reads the strands' extent under that
+/// light.
 DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& light,
                                         float footprint);
 

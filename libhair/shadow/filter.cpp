@@ -1,3 +1,17 @@
+// Transmittance at points, from the values of cells, sixteen points at once. Along the light all
+// filters but None are linear between the faces of a point's cell; values stand at back faces:
+//
+//     light -->    |  cell i-1  |   cell i   |
+//               T[i-2]       T[i-1]        T[i]      T = (1 - x) T[i-1] + x T[i]
+//                                 x ->
+//
+// Across the light they are linear, too, between values (o) at other places:
+//
+//     |  j-1  |   j   |  j+1  |
+//     |       o----p--o       |    Paper: the value of a cell is at its far wall
+//     |       |   op--+---o   |    Centred: the value of a cell is at its centre
+//
+// Footprint is the mean of Centred over a square about the point.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "libhair/shadow/filter.cpp"
 #include <algorithm>
@@ -13,13 +27,13 @@
 #define HAIR_SHADOW_FILTER_VIEW
 namespace hair {
 
-/// What the kernels read of a map.
+/// What the kernels read.
 struct FilterView {
   const DensityMap& map;
   FootprintKernel kernel;
   float scale;
-  int perRow;  // bricks of a row of bricks
-  int seam;    // the last cell of an axis, if that is in the middle of a brick; or -1
+  int perRow;  // bricks along y
+  int seam;    // the last cell of an axis, if its brick is cut off by the wrap-around; or -1
 };
 
 }  // namespace hair
@@ -40,18 +54,19 @@ class Cells {
         deepest_(map_.depth() - 1),
         aliased_(map_.aliased()) {}
 
-  /// Two slices of transmittance that follow each other, where each lane has its own.
+  /// The slices i - 1 (front) and i (back) of each lane.
   struct Slices {
-    Ints codes;    // where the codes of the back one's run stand
-    Ints inBrick;  // which of its bricks' slices it is
-    Mask lit;      // it is in front of the hair
-    Mask first;    // the front one is in front of the hair
-    Mask behind;   // both are the hair's last
+    Ints codes;    // index in lightIn of the run of the back slice
+    Ints inBrick;  // its index in its brick
+    Mask lit;      // the back slice is in front of the hair
+    Mask first;    // the front slice is in front of the hair
+    Mask behind;   // the back slice is behind the hair: both read the last slice
   };
-  /// The unwrapped slice i and the one before it.
+  /// Of unwrapped slices i.
   HWY_INLINE Slices slices(Ints i) const {
     Ints s = i - Ints(map_.lower.x);
-    // Hair deeper than the map: its far end is stored in the slices of its near end (paper, Psi).
+    // Wrap slices of hair deeper than the map: its far end shares those of its near end (paper,
+    // Psi).
     if (HWY_UNLIKELY(aliased_)) s = comeRound(s);
     const Ints at = min(max(s, Ints(-1)), Ints(deepest_)) + Ints(1);
     return {gather(map_.sliceRun.data(), at), gather(map_.sliceInBrick.data(), at), at == Ints(0),
@@ -59,11 +74,11 @@ class Cells {
   }
   HWY_INLINE const CellCodes& codes() const { return codes_; }
 
-  /// Where the value of wrapped cells j, k stands in the back slice, and how far before it that of
-  /// the front one does.
+  /// Index of the value of wrapped cells j, k in the back slice, and its distance from that in the
+  /// front slice.
   struct Place {
     Ints back, toFront;
-    Mask fixed;  // no brick is there
+    Mask fixed;  // there is no brick
   };
   HWY_INLINE Place place(const Slices& s, Ints j, Ints k) const {
     const Ints brick = shiftRight<2>(k) * Ints(view_.perRow) + shiftRight<4>(j);
@@ -76,10 +91,10 @@ class Cells {
   }
   HWY_INLINE Floats value(Ints place) const { return gather(map_.transmittances.data(), place); }
 
-  /// Where wrapped cells j, and those after them, stand in the front and the back slice.
+  /// Indices of wrapped cells j and j + 1 in the front and the back slice.
   struct Row {
     Ints front, back;
-    // Where a cell is not right after that before it.
+    // Lanes in which cell j + 1 does not follow cell j in memory.
     bool anyElsewhere;
     Mask elsewhere;
     Ints frontNext, backNext;
@@ -88,8 +103,7 @@ class Cells {
     const Place here = place(s, j, k);
     Row r;
     r.front = here.back - here.toFront, r.back = here.back;
-    // What is beside a row is right in bricks that exist, and where the modulo does not come round
-    // in the middle of one.
+    // The padding column is valid only in bricks that exist, and that the wrap-around does not cut.
     const Mask edge = ((j & Ints(15)) == Ints(15)) & here.fixed;
     r.elsewhere = edge | (j == Ints(view_.seam));
     r.anyElsewhere = any(r.elsewhere);
@@ -99,6 +113,7 @@ class Cells {
     }
     return r;
   }
+  /// Values of cells j and j + 1.
   struct RowValues {
     Pairs front, back;
   };
@@ -112,7 +127,7 @@ class Cells {
     return r;
   }
 
-  /// None of the cells from j0 to j1 and k0 to k1 holds hair, nor does any cell in front of them.
+  /// All columns from j0 to j1 and k0 to k1 are outside of the hair's bounds.
   HWY_INLINE Mask beside(Ints j0, Ints j1, Ints k0, Ints k1) const {
     return (j1 < Ints(map_.lower.y)) | (j0 > Ints(map_.upper.y)) | (k1 < Ints(map_.lower.z)) |
            (k0 > Ints(map_.upper.z));
@@ -142,7 +157,7 @@ HWY_INLINE Floats between(Floats a, Floats b, Floats t) {
   return a + t * (b - a);
 }
 
-/// The values of the points' own cells.
+/// Filter::None: the values of the points' own cells.
 HWY_INLINE Floats own(const Cells& cells, Vec3 u) {
   const CellCodes& codes = cells.codes();
   const Ints i = floorToInt(u.x), j = floorToInt(u.y), k = floorToInt(u.z);
@@ -151,11 +166,11 @@ HWY_INLINE Floats own(const Cells& cells, Vec3 u) {
   return select(cells.beside(j, j, k, k), Floats(1.0f), t);
 }
 
-/// The cells i-1 and i along the light, and j, j+1, k, k+1 across it, in coordinates where cell j
-/// stands at j: those of the map less `shift`. Found for several vectors of points before any of
-/// them is read, so that one look-up need not wait for another.
+/// Filter::Paper and Centred: cells i-1 and i along the light, and j, j+1, k, k+1 across it, in
+/// coordinates where the value of cell j is at j: those of the map minus `shift`. Constructed for
+/// several vectors of points before any is read, so that their look-ups overlap.
 struct Linear {
-  Floats x, y, z;  // of the way from one to the other
+  Floats x, y, z;  // fractions from the first cell to the second
   Cells::Row low, high;
   Mask first, outside;
 
@@ -177,19 +192,20 @@ struct Linear {
     const auto across = [&](const Pairs& l, const Pairs& h) HWY_ATTR {
       return between(between(l.first, l.second, y), between(h.first, h.second, y), z);
     };
-    // Stored values stand at back faces: the front face of i is the back face of i - 1, and in
-    // front of the first slice that is light itself, never the slice that the modulo puts there.
+    // The front face of cell i is the back face of cell i - 1. Before the first slice it is full
+    // light, never the slice that the modulo puts there.
     const Floats front = select(first, Floats(1.0f), across(a.front, b.front));
     return select(outside, Floats(1.0f), between(front, across(a.back, b.back), x));
   }
 };
 
-/// The mean of darkness, 1 - transmittance, over FootprintKernel: light itself comes out as exactly
-/// 0 however the weights round. Rows of cells are summed up as they lie in their bricks, the
-/// weights along them, which all rows share, come last.
+/// Filter::Footprint: the mean of darkness, 1 - transmittance, over FootprintKernel, as full light
+/// then gives exactly 0 for any rounding of the weights. Sums rows of cells in pieces of one brick
+/// each, and multiplies by the weights along the rows, which all rows share, at the end.
 class FootprintSum {
  public:
-  /// Of the unwrapped cells from `first` to `last` along rows, for a point at y.
+  /// Cuts the unwrapped cells from `first` to `last` of a row into pieces, with the weights for a
+  /// point at y.
   FootprintSum(int first, int last, float y, const Cells& cells) {
     const DensityMap& map = cells.map();
     const int n = map.settings.cells;
@@ -201,7 +217,7 @@ class FootprintSum {
       piece.brick = wrapped / brick::kY;
       const Floats lane = toFloats(laneNumbers() - Ints(from));
       const Floats w = footprintWeights(cells.view().kernel, y - static_cast<float>(j) - lane);
-      // Other cells of the brick are no neighbours where the modulo comes round.
+      // Clear the weights of the brick's other cells, which may be elsewhere after a wrap-around.
       const Floats zero(0.0f);
       const Mask inside = (lane >= zero) & (lane < Floats(static_cast<float>(count)));
       piece.weights = select(inside, w, zero);
@@ -210,14 +226,14 @@ class FootprintSum {
     }
   }
 
-  /// Two slices that follow each other, as in Cells::Slices.
+  /// The two slices of a point, as in Cells::Slices.
   struct Rows {
     std::int32_t codes;
     std::uint32_t inBrick;
     bool first, behind;
-    float part;  // of the way from front to back
+    float part;  // fraction from front to back
   };
-  /// Row k.
+  /// Adds the wrapped row k.
   void add(const Cells& cells, const Rows& rows, int k, float weight) {
     const DensityMap& map = cells.map();
     const std::uint32_t* codes =
@@ -232,6 +248,7 @@ class FootprintSum {
       pieces_[p].dark = pieces_[p].dark + weight * (1.0f - (front + rows.part * (back - front)));
     }
   }
+  /// The weighted sum.
   float darkness() const {
     Floats sum(0.0f);
     for (std::size_t p = 0; p < count_; ++p) sum = sum + pieces_[p].weights * pieces_[p].dark;
@@ -248,15 +265,15 @@ class FootprintSum {
     int brick;
     Floats weights, dark;
   };
-  // 2 h + 2 <= 20 cells; a map of two cells comes round ten times.
+  // 2 h + 2 <= 20 cells, in which a map of two cells wraps around ten times.
   static constexpr std::size_t kMostPieces = 12;
   Piece pieces_[kMostPieces];
   std::size_t count_ = 0;
 };
 
-/// As `linear` along the light; across it the mean over FootprintKernel. Lanes are cells of a row:
-/// the points are looked up one after another.
+/// Filter::Footprint of up to sixteen points, one after another: lanes are cells of a row.
 HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* out) {
+  // Find slices, cells and bounds of all points.
   const DensityMap& map = cells.map();
   const FootprintKernel& kernel = cells.view().kernel;
   const Floats x = u.x, y = u.y - 0.5f, z = u.z - 0.5f;
@@ -278,6 +295,7 @@ HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* 
       out[p] = 1;
       continue;
     }
+    // Sum the rows of one point, sixteen weights across them at a time.
     FootprintSum sum(firstJ[p], lastJ[p], along[p], cells);
     const FootprintSum::Rows rows{codes[p], static_cast<std::uint32_t>(inBrick[p]),
                                   (first >> p & 1) != 0, (behind >> p & 1) != 0, part[p]};
@@ -296,10 +314,11 @@ void sampleAll(const FilterView& view, const glm::vec3* points, std::size_t coun
   constexpr std::size_t kVectors = 4;
   const Cells cells(view);
   const Filter filter = view.map.settings.filter;
-  // Paper: the point at lambda in cell j is between cells j - 1 (weight 1 - lambda) and j (lambda).
+  // Paper: a point at lambda in cell j is between cells j - 1 (weight 1 - lambda) and j (lambda).
   // Deviation, Centred: the paper's weights put a cell's value at its corner, which shifts shadows
   // sideways by half a cell; across the light a cell's value belongs to its middle.
   const float shift = filter == Filter::Paper ? 1.0f : 0.5f;
+  // Locate the cells of up to four vectors of points, then read them.
   for (std::size_t p = 0; p < count; p += kVectors * kLanes) {
     const std::size_t here = std::min(count - p, kVectors * kLanes);
     const std::size_t vectors = (here + kLanes - 1) / kLanes;
@@ -317,6 +336,7 @@ void sampleAll(const FilterView& view, const glm::vec3* points, std::size_t coun
     }
     if (filter == Filter::Paper || filter == Filter::Centred)
       for (std::size_t v = 0; v < vectors; ++v) store(linear[v].value(cells), t + v * kLanes);
+    // Take off the strand's own shadow (`scale`), up to full light.
     for (std::size_t l = 0; l < here; ++l) out[p + l] = std::min(t[l] * view.scale, 1.0f);
   }
 }

@@ -1,3 +1,17 @@
+// Transmittance from counts: a walk along the light that multiplies the light by exp(-optical
+// depth) of each cell. Threads share the rows of bricks across the light; a row is walked in runs
+// (all slices of one brick that follow each other):
+//
+//     light -->       run 0  |   run 1   |   run 2   |   run 3   |
+//     column y = 0    ones   | [ B0    ] |  B0'      | [ B1    ] |   [B]: a brick; its own layers
+//     column y = 1    ones   |  ones     | [ B2    ] |  B2'      |   B': no brick; the last layer
+//     of B
+//
+// lightIn gets a code for each run and column, which says where its transmittance is stored
+// (Transmittances in density/brick_store.h). A brick has one layer more than slices, for the light
+// that enters it, and one column more than cells, a copy of its neighbour's first:
+//
+//     layer 0 |slice 0| layer 1 |slice 1| layer 2 |slice 2| layer 3 |slice 3| layer 4
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "libhair/shadow/transmittance.cpp"
 #include <algorithm>
@@ -15,17 +29,17 @@ namespace HWY_NAMESPACE {
 
 static_assert(brick::kY == kLanes);
 
-/// Slices of one brick that follow each other.
+/// Consecutive slices of one brick.
 struct Run {
   int slice;  // the first, in its brick
   int count;
 };
 
-/// Walks a brick. `light`: the layer that enters it; `out`: that of what enters the run's first
-/// slice, and then those of what leaves each.
+/// Attenuates the light through a run of a brick. `light`: the layer that enters. Writes that to
+/// `out`, and after it the layers that leave each slice.
 HWY_INLINE void attenuate(const std::uint32_t* counts, Run run, float depth, const float* light,
                           float* out) {
-  // Below this no display and no sum can tell the light from none; denormals would be slow.
+  // Round light below this to none: it is invisible, and denormals would be slow.
   const Floats dark(1e-30f), zero(0.0f);
   const auto cells = reinterpret_cast<const std::int32_t*>(counts) + run.slice * brick::kLayer;
   for (int z = 0; z < brick::kZ; ++z) {
@@ -44,8 +58,8 @@ HWY_INLINE void attenuate(const std::uint32_t* counts, Run run, float depth, con
   }
 }
 
-/// The last column of a brick's layers: the first one of the next brick's. Where no brick is, the
-/// light does not change: all layers are as `constant`.
+/// Fills the padding column of a brick's layers with the first column of its neighbour's. Where
+/// there is no neighbour the light is constant: all layers get that of `next`.
 HWY_INLINE void copyNeighbour(int layers, const float* next, bool constant, float* out) {
   const int step = constant ? 0 : Transmittances::kLayer;
   for (int layer = 0; layer < layers; ++layer)
@@ -54,7 +68,7 @@ HWY_INLINE void copyNeighbour(int layers, const float* next, bool constant, floa
           next[layer * step + z * Transmittances::kRow];
 }
 
-/// Brings a brick from memory that is soon to be walked.
+/// Prefetches a brick of the next run.
 HWY_INLINE void prefetch(std::uint32_t slot, DensityMap& map) {
   if (slot == 0) return;
   const std::uint32_t* counts = map.bricks.cells(slot);
@@ -65,15 +79,17 @@ HWY_INLINE void prefetch(std::uint32_t slot, DensityMap& map) {
   }
 }
 
-/// The columns of one row of bricks across the light, of those in `range`.
+/// Walks one row of bricks across the light, in the columns of `range`.
 void walkRow(std::size_t z, BrickRange range, DensityMap& map) {
+  // Let full light enter: run 0 reads the layer of ones, 0.
   const BrickStore& bricks = map.bricks;
   const auto perRow = static_cast<std::size_t>(bricks.perAxis().y);
   const int slices = map.depth();
   std::uint32_t* before = map.lightIn.data() + z * perRow;
   for (int i = 0; i < range.count; ++i) before[range.at(i)] = Transmittances::kFixed;
-  std::uint32_t last = 0;  // slice of the run before
+  std::uint32_t last = 0;  // slice of the previous run
   for (int s = 0; s < slices;) {
+    // Find the run: up to the end of its brick, of the wrap-around, or of the hair.
     const int first = map.wrap(map.frame.base.x + map.lower.x + s);
     const auto slice = static_cast<std::uint32_t>(first % brick::kX);
     const Run run{static_cast<int>(slice), std::min({brick::kX - static_cast<int>(slice),
@@ -83,11 +99,12 @@ void walkRow(std::size_t z, BrickRange range, DensityMap& map) {
     const std::uint32_t* next = nullptr;
     if (s + run.count < slices && first + run.count < map.settings.cells)
       next = slots + bricks.across();
-    // What enters the run: of a brick its own layer, elsewhere the one that stands for all slices.
+    // The layer that enters the run: a brick's own, elsewhere the one that all its slices read.
     const auto entering = [&](std::size_t y) HWY_ATTR {
       return map.transmittances.layer(slots[y] ? codes[y] - 1 + slice
                                                : codes[y] & ~Transmittances::kFixed);
     };
+    // Carry the last layer of the previous run into each column, and attenuate it where a brick is.
     for (int i = 0; i < range.count; ++i) {
       const std::size_t y = range.at(i);
       if (next) prefetch(next[y], map);
@@ -98,13 +115,14 @@ void walkRow(std::size_t z, BrickRange range, DensityMap& map) {
       attenuate(bricks.cells(slots[y]), run, map.quantum,
                 map.transmittances.layer(held & ~Transmittances::kFixed), entering(y));
     }
+    // Pad each brick from its neighbour. After the last one any will do: no filter reads there.
     for (int i = 0; i < range.count; ++i) {
       const std::size_t y = range.at(i);
       if (slots[y] == 0) continue;
-      // Beside the range no filter looks.
       const std::size_t beside = range.at(i + 1 < range.count ? i + 1 : 0);
       copyNeighbour(run.count + 1, entering(beside), slots[beside] == 0, entering(y));
     }
+    // Go on with the next run.
     before = codes;
     last = static_cast<std::uint32_t>(run.slice + run.count - 1);
     s += run.count;
@@ -125,18 +143,19 @@ HWY_EXPORT(walkRow);
 
 namespace {
 
+/// Finds the run and the slice of its brick of every slice of the hair.
 void findSlices(DensityMap& map) {
   const auto across = static_cast<std::int32_t>(map.bricks.across());
   const int n = map.settings.cells, begin = map.wrap(map.frame.base.x + map.lower.x);
   const auto slices = static_cast<std::size_t>(map.depth());
-  // Room for the deepest hair: that of a later frame may be deeper.
+  // Reserve for the deepest hair, as that of a later frame may be deeper.
   map.sliceRun.reserve(static_cast<std::size_t>(n) + 1);
   map.sliceInBrick.reserve(static_cast<std::size_t>(n) + 1);
   map.sliceRun.resize(slices + 1);
   map.sliceInBrick.resize(slices + 1);
   map.sliceRun[0] = map.sliceInBrick[0] = 0;
   for (std::size_t s = 0; s < slices; ++s) {
-    // Where the modulo comes round, another run begins.
+    // Begin another run where the index wraps around.
     const int straight = begin + static_cast<int>(s);
     const bool turned = straight >= n;
     const int wrapped = turned ? straight - n : straight;
@@ -152,12 +171,13 @@ void findSlices(DensityMap& map) {
 void computeTransmittance(DensityMap& map) {
   map.transmittances.reserve(map.bricks.room());
   findSlices(map);
-  // Run 0 is before all hair; then bricks along the light, which the first and the last slice may
-  // share with slices that are not walked, and one more where the modulo comes round.
+  // Count the runs, at most: run 0 before all hair, one per brick along the light, of which the
+  // first and the last may be entered in part, and one more where the index wraps around.
   const auto runs = static_cast<std::size_t>(map.depth()) / brick::kX + 4;
   map.lightIn.reserve((static_cast<std::size_t>(map.bricks.perAxis().x) + 4) * map.bricks.across());
-  // What is never written is read beside the hair, and not used: it has to be some layer.
+  // Give new codes a valid layer: filters read codes beside the hair, but do not use their values.
   map.lightIn.resize(runs * map.bricks.across(), Transmittances::kFixed);
+  // Walk the rows that a filter may read.
   const BrickRange across = bricksToRead(map, 1), rows = bricksToRead(map, 2);
   parallelFor(static_cast<std::size_t>(rows.count), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

@@ -21,6 +21,21 @@ constexpr std::array<char, 8> kMagic = {'H', 'A', 'I', 'R', 'S', 'T', 'A', 'T'};
 constexpr std::uint32_t kVersion = 1;
 constexpr std::string_view kName = "saved state";
 
+// A state is little-endian, without gaps; guides are sixteen side by side, as in GuideStrands. With
+// g groups of sixteen guides of n points:
+//
+//   Header
+//   f32[7] each                 the head, then the guides' roots: rotation w, x, y, z, translation
+//   f32[7] each                 capsules: a, b, radius
+//   f32[6] each                 planes: point, normal
+//   f32[8] each                 meshes: rotation w, x, y, z, translation, scale
+//   f32[3·16·g·n] each          guide positions, velocities
+//   f32[16·g·(n - 1)]           tension of links
+//   f32[16·g·n], f32[3·16·g·n]  with self-collision: density allowed, push
+//   f32[16·g·n]                 with shelter: share of the wind
+//   f32[3] a point              drawn points
+//   f32[3], f32 a strand        offsets of drawn roots, clearance of drawn strands
+//   u64                         StateHash of all bytes before
 struct Header {
   std::array<char, 8> magic = kMagic;
   std::uint32_t version = kVersion;

@@ -9,7 +9,7 @@ namespace HAIR_API hair {
 
 /// Writes what a frame hands to the next: guides, self-collision, colliders, time, drawn points,
 /// and what was learnt at rest in the place where the hair was made. Settings and groom are not
-/// part of it. Format: docs/formats.md. Throws Error where the stream fails.
+/// part of it. Layout: hair_state.cpp. Throws Error where the stream fails.
 void saveState(const Hair& hair, std::ostream& out);
 
 /// Goes on from a saved state: with the settings and the motion of the run that was saved, every

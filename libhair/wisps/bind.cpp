@@ -14,7 +14,7 @@ namespace hair {
 
 namespace {
 
-// What makes two strands alike: where they start, and where they go from there.
+// Similarity of strands: by root, and by the vector from the root to the rest of the strand.
 struct Feature {
   glm::vec3 root, reach;
 };
@@ -29,14 +29,14 @@ std::vector<Feature> featuresOf(StrandView strands, float shapeWeight) {
   features.reserve(strands.strandCount());
   for (std::size_t s = 0; s < strands.strandCount(); ++s) {
     const auto p = strands.strand(s);
-    // Middle and tip, so that a loop does not count as a short strand.
+    // Use the mean of middle and tip, so that a loop does not count as a short strand.
     const glm::vec3 reach = 0.5f * (p[p.size() / 2] + p.back()) - p.front();
     features.push_back({p.front(), shapeWeight * reach});
   }
   return features;
 }
 
-// Farthest-point sampling, from the strand nearest to the mean root on.
+// Farthest-point sampling, starting with the strand nearest to the mean root.
 std::vector<std::uint32_t> chooseGuides(const std::vector<Feature>& features, std::size_t count) {
   glm::vec3 mean(0);
   for (const Feature& f : features) mean += f.root / static_cast<float>(features.size());
@@ -94,6 +94,7 @@ Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
   groom.weights.resize(strands.strandCount());
   groom.fibre.hairsPerStrand = std::max(1.0f, hairs / static_cast<float>(strands.strandCount()));
 
+  // Let each strand follow its three nearest guides.
   parallelFor(strands.strandCount(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<float> distance(guides.size());
     std::vector<std::uint32_t> order(guides.size());
@@ -108,7 +109,8 @@ Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
       glm::vec3 weights(0);
       for (int j = 0; j < 3; ++j) {
         groom.parents[s][j] = j < three ? order[static_cast<std::size_t>(j)] : order[0];
-        // Squared distances: the main guide leads, the others soften the borders.
+        // Weigh by the inverse squared distance: the main guide dominates, the others smooth the
+        // transitions.
         if (j < three) weights[j] = 1.0f / (distance[order[static_cast<std::size_t>(j)]] + 1e-8f);
       }
       groom.weights[s] = weights / (weights.x + weights.y + weights.z);

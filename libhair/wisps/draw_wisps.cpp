@@ -1,3 +1,15 @@
+// Drawn strands from guide curves, sixteen points ("a block") of one strand at once:
+//
+//   1. draw block by block by multi-strand interpolation, the weighted sum of three guide curves;
+//   2. test each block for points inside of obstacles, and go on while there are none;
+//   3. else, from the first such point `hit`, change over to single-strand interpolation, the main
+//      guide moved to the strand's root, and push out of obstacles what is inside even then.
+//
+//      root o---o---o---o---o---o---o---x---x---o tip
+//           multi   |   blend       |   single
+//                 start            hit
+//
+// Most points skip the test: they are nearer to their main guide than any obstacle (`room`).
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
@@ -12,10 +24,9 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// One strand while it is made, sixteen points at a time. Its last sixteen points are a block,
-// however many of them the block before had already; a strand of fewer points is one block, the
-// last lanes of which stand for nothing. kEven: as many points as the curves have samples, which
-// are then next to each other.
+// One strand while it is drawn. Its last sixteen points are one block, which may overlap the
+// previous block; a strand of fewer points is one block with unused lanes. kEven: the strand has as
+// many points as the curves have samples, so that these are contiguous.
 template <bool kEven>
 struct Strand {
   const Wisps& wisps;
@@ -23,7 +34,7 @@ struct Strand {
   std::size_t s, first, n;
   std::uint32_t main;
   const float* curves[3];  // the parents' rows
-  const float* room;
+  const float* room;       // of the main guide
   const std::int32_t* table;
   glm::vec3 weights;
 
@@ -41,12 +52,12 @@ struct Strand {
   }
 
   std::size_t blockAt(std::size_t k) const { return n > kLanes ? std::min(k, n - kLanes) : 0; }
-  // Lanes of a block at k that are points from `from` on.
+  // Lanes of the block at k that hold points from `from` on.
   HWY_INLINE Mask lanesFrom(std::size_t from, std::size_t k) const {
     return firstLanes(n) & !firstLanes(from > k ? from - k : 0);
   }
 
-  // The samples that sixteen points follow.
+  // The samples of the guide curves that sixteen points follow.
   struct At {
     std::size_t k;
     Ints sample;
@@ -94,7 +105,8 @@ struct Strand {
   struct Block {
     Vec3 main, point;
   };
-  // Multi-strand interpolation.
+  // Multi-strand interpolation: the weighted sum of three guides, plus the offset in the frame of
+  // the main guide.
   HWY_INLINE Block multi(std::size_t k) const {
     const At a = at(k);
     const Vec3 m = vector(0, GuideCurves::kPoint, a);
@@ -104,7 +116,7 @@ struct Strand {
       p = p + frame(a).toWorld(loadBlock(wisps.groom->offsets.data() + first + k));
     return {m, p};
   }
-  // Single-strand interpolation: the main guide, moved to where the strand's root is.
+  // Single-strand interpolation: the main guide, moved to the strand's root.
   HWY_INLINE Block single(std::size_t k) const {
     const At a = at(k);
     const Frame f = frame(a);
@@ -115,7 +127,8 @@ struct Strand {
     return {m, p};
   }
 
-  // Capsules that points so far from the main guide may meet.
+  // The capsules, one bit each, that points at these squared distances from the main guide may
+  // reach.
   HWY_INLINE std::uint64_t capsulesNear(Floats stray2, Mask look) const {
     constexpr float kReach = WispObstacles::kReach;
     if (any(look & !(stray2 < Floats(kReach * kReach)))) {
@@ -125,8 +138,9 @@ struct Strand {
     return obstacles.near[main];
   }
 
-  // Which of the points of `look` are nearer to an obstacle than they may be.
+  // The lanes of `look` whose points are nearer to an obstacle than their clearance.
   HWY_INLINE Mask inside(std::size_t k, Mask look, const Block& block) const {
+    // Test points against the head where they are farther from the main guide than its room.
     const At a = at(k);
     const Vec3 away = block.point - block.main;
     const Floats stray2 = dot(away, away);
@@ -141,6 +155,7 @@ struct Strand {
         if (any(maybe)) in = maybe & (head.sdf.distance(q, maybe) < clearance);
       }
     }
+    // Test against capsules, planes and meshes in the same way.
     const Mask open = look & !(stray2 < load(room + wisps.curves.samples, a));
     if (any(open)) {
       for (std::uint64_t rest = capsulesNear(stray2, open); rest != 0; rest &= rest - 1) {
@@ -160,7 +175,7 @@ struct Strand {
     return in;
   }
 
-  // Puts points that are inside of the nearest obstacle on its surface.
+  // Finds the obstacle that each point is nearest to, or deepest in, and pushes points out of it.
   HWY_INLINE void pushOnce(Mask in, Block& block) const {
     const Vec3 away = block.point - block.main;
     Vec3 out(Floats(0.0f), Floats(1.0f), Floats(0.0f));
@@ -177,6 +192,7 @@ struct Strand {
       out = select(nearer, select(r > Floats(1e-9f), perLength * d, up), out);
       nearest = select(nearer, w, nearest);
     }
+    // Replace it where the head, a plane or a mesh is nearer.
     if (obstacles.head) {
       const HeadLookup head(obstacles);
       const Vec3 q = head.inHead(block.point);
@@ -201,11 +217,12 @@ struct Strand {
       out = select(nearer, rotate(mesh.worldFromMesh, lookup.sdf.direction(q, nearer)), out);
       nearest = select(nearer, w, nearest);
     }
+    // Move points by their depth along the outward normal.
     block.point = select(in & (nearest < Floats(0.0f)), block.point - nearest * out, block.point);
   }
 
-  // From the point `hit`, which is inside something, on: changes over to single-strand
-  // interpolation over the points above, and pushes out what is inside even then.
+  // Draws the strand again from blendPoints before `hit`, its first point inside of an obstacle:
+  // blends into single-strand interpolation up to `hit`, and pushes points out of obstacles.
   HWY_INLINE void avoid(std::size_t hit, glm::vec3* points) const {
     const std::size_t blend = wisps.settings.blendPoints;
     const std::size_t start = hit > blend ? hit - blend : 1;
@@ -213,6 +230,7 @@ struct Strand {
     const Floats length(static_cast<float>(std::max<std::size_t>(hit - start, 1)));
     for (std::size_t k = start; k < n; k += kLanes) {
       k = blockAt(k);
+      // Blend the two interpolations before `hit`, by a smoothstep.
       Block block = single(k);
       if (k < hit) {
         const Floats number = toFloats(laneNumbers() + Ints(static_cast<std::int32_t>(k)));
@@ -222,7 +240,7 @@ struct Strand {
         const Vec3 many = multi(k).point;
         block.point = (Floats(1.0f) - t) * many + t * block.point;
       }
-      // Twice: out of one collider may be into its neighbour.
+      // Push out twice: the first push may end in another obstacle.
       for (int round = 0; round < 2; ++round) {
         const Mask in = inside(k, lanesFrom(start, k), block);
         if (!any(in)) break;
@@ -232,8 +250,8 @@ struct Strand {
     }
   }
 
-  // Draws a last point that is alone past a whole number of blocks: most are as clear of everything
-  // as the guide's room says, and need no block of their own. False: it must be looked at.
+  // Draws the last point alone, by the scalar form of `multi`, where it would need a block of its
+  // own. False if the guide's room does not clear it of obstacles: it must be drawn as a block.
   HWY_INLINE bool drawTip(glm::vec3* points) const {
     const std::size_t k = n - 1, samples = wisps.curves.samples;
     const auto sample = kEven ? k : static_cast<std::size_t>(table[k]);
@@ -258,7 +276,7 @@ struct Strand {
 
   HWY_INLINE void draw(glm::vec3* points) const {
     const bool free = obstacles.none();
-    // The root stays where it is.
+    // Never test or move the root.
     std::size_t from = 1;
     for (std::size_t k = 0; k < n; k += kLanes, from = k) {
       if (n > kLanes && k + 1 == n && drawTip(points)) return;
@@ -272,7 +290,7 @@ struct Strand {
   }
 };
 
-// One copy of all that is inlined into it.
+// Not inlined, so that there is one copy of all that is inlined into it.
 HWY_NOINLINE void drawStrand(const Wisps& wisps, std::size_t s, glm::vec3* points) {
   const std::uint32_t* first = wisps.groom->first.data();
   if (first[s + 1] - first[s] == wisps.curves.samples)
@@ -285,7 +303,7 @@ void drawOne(std::size_t s, const Wisps& wisps, glm::vec3* points) {
   drawStrand(wisps, s, points);
 }
 
-// Those that the level draws, with the points that it leaves them.
+// Draws the strands of the level of detail: each with all of its points, then resampled to fewer.
 void drawFew(std::size_t begin, std::size_t end, Wisps& wisps) {
   constexpr std::size_t kUsual = 256;
   glm::vec3 room[kUsual];

@@ -17,11 +17,11 @@ HWY_INLINE Vec3 transportNormal(Vec3 v, Vec3 from, Vec3 to) {
   return v - (Floats(2.0f) * dot(v, to) / max(dot(h, h), Floats(1e-12f))) * h;
 }
 
-// The last sixteen samples of one row of sixteen guides, sample k at k % 16.
+// A ring buffer: the last sixteen samples of one row of sixteen guides, sample k at k % 16.
 using Ring = Lanes[kLanes];
 
-// Writes the ring, whose last sample is end - 1, to the rows of `used` guides. Where fewer samples
-// than sixteen are new, some are written again.
+// Transposes the ring, whose last sample is end - 1, into the rows of `used` guides. Where fewer
+// than sixteen samples are new, some are written again.
 HWY_INLINE void spill(const Ring& ring, std::uint32_t end, std::size_t used, std::size_t stride,
                       float* row) {
   if (end < kLanes) {
@@ -36,7 +36,7 @@ HWY_INLINE void spill(const Ring& ring, std::uint32_t end, std::size_t used, std
   for (std::size_t l = 0; l < used; ++l) store(block[l], row + l * stride + end - kLanes);
 }
 
-// Groups begin to end of the guides.
+// Samples the groups [begin, end) of the guides.
 void sampleGroups(const GuideStrands& guides, const glm::mat3& turn, std::size_t begin,
                   std::size_t end, GuideCurves& curves) {
   const std::uint32_t n = guides.pointsPerGuide(), samples = curves.samples;
@@ -52,20 +52,23 @@ void sampleGroups(const GuideStrands& guides, const glm::mat3& turn, std::size_t
         x = x + Floats(s.weights[w]) * Vec3(p[s.start + w]);
       return x;
     };
+    // Start with the frames at the roots.
     Vec3 tangent = rotate(turn, Vec3(guides.rootTangent[group]));
     Vec3 normal = rotate(turn, Vec3(guides.rootNormal[group]));
     Vec3 before = sampleAt(0), here = before, lower = here, upper = here;
     for (std::uint32_t k = 0; k < samples; ++k) {
       const Vec3 next = k + 1 < samples ? sampleAt(k + 1) : here;
+      // Transport the frame to the tangent, the central difference.
       const Vec3 chord = next - before;
       const Vec3 direction = (Floats(1.0f) / max(length(chord), Floats(1e-12f))) * chord;
       normal = transportNormal(normal, tangent, direction);
-      // Transport keeps the right angle but for rounding, which would add up on long strands.
+      // Restore the right angle: rounding would add up on long strands.
       normal = normal - dot(normal, direction) * direction;
       normal = (Floats(1.0f) / max(length(normal), Floats(1e-12f))) * normal;
       tangent = direction;
       lower = {min(lower.x, here.x), min(lower.y, here.y), min(lower.z, here.z)};
       upper = {max(upper.x, here.x), max(upper.y, here.y), max(upper.z, here.z)};
+      // Put the sample into the rings, and write these when full.
       const Floats row[GuideCurves::kRows] = {here.x,   here.y,    here.z,    normal.x, normal.y,
                                               normal.z, tangent.x, tangent.y, tangent.z};
       for (std::size_t c = 0; c < GuideCurves::kRows; ++c) store(row[c], rings[c][k % kLanes]);
@@ -96,13 +99,14 @@ namespace {
 
 HWY_EXPORT(sampleGroups);
 
-// Weights on points i - 1 .. i + 2 at t in [0, 1] between points i and i + 1 of n. Beyond its ends
-// the strand goes on by reflection (p_-1 = 2 p_0 - p_1), folded into the weights that exist.
+// Weights on points i - 1 .. i + 2 at t in [0, 1] between points i and i + 1 of n. A strand is
+// extended beyond its ends by reflection (p_-1 = 2 p_0 - p_1), folded into the weights of its
+// points.
 GuideCurves::Sample catmullRom(std::uint32_t i, float t, std::uint32_t n) {
   const float t2 = t * t, t3 = t2 * t;
   const float w[4] = {0.5f * (-t3 + 2 * t2 - t), 0.5f * (3 * t3 - 5 * t2 + 2),
                       0.5f * (-3 * t3 + 4 * t2 + t), 0.5f * (t3 - t2)};
-  // The window of four points that exist; at the ends it does not start at i - 1.
+  // Clamp the window of four points to the strand; at the ends it does not start at i - 1.
   const std::uint32_t start = static_cast<std::uint32_t>(
       std::clamp<int>(static_cast<int>(i) - 1, 0, std::max(0, static_cast<int>(n) - 4)));
   GuideCurves::Sample sample{start, {0, 0, 0, 0}};

@@ -13,7 +13,7 @@ namespace HAIR_API hair {
 /// Smoothing the few guides once is cheaper than smoothing every drawn strand, and the same, as
 /// both steps are linear.
 ///
-/// A guide has nine rows, one a component, so that sixteen samples of one are one load:
+/// A guide has nine rows, one per component, so that sixteen samples of one are one load:
 ///
 ///     guide 0   x           sample 0, sample 1, ... sample `samples` - 1
 ///               y           sample 0, ...
@@ -22,7 +22,7 @@ namespace HAIR_API hair {
 ///               tangent x, y, z
 ///     guide 1   x ...
 struct GuideCurves {
-  /// Orthonormal; offsets of drawn strands are in it.
+  /// Orthonormal frame; offsets of drawn strands are given in it.
   struct Frame {
     glm::vec3 normal,  ///< carried along by parallel transport
         binormal,      ///< tangent × normal
@@ -41,25 +41,25 @@ struct GuideCurves {
     float weights[4];     ///< sum 1
   };
 
-  /// Where the vectors of a guide begin among its rows, and how many rows there are.
+  /// First rows of the vectors of a guide, and the number of its rows.
   static constexpr std::size_t kPoint = 0,  ///< row of a point's x
       kNormal = 3,                          ///< row of a normal's x
       kTangent = 6,                         ///< row of a tangent's x
       kRows = 9;                            ///< of a guide
 
-  std::uint32_t samples = 0;  ///< a guide
+  std::uint32_t samples = 0;  ///< per guide
   std::vector<Sample> basis;  ///< [samples]
-  /// [guideCount · kRows · samples], metres, world; and kLanes more that are never used, so that
-  /// sixteen values can be read from any place.
+  /// [guideCount · kRows · samples], metres, world; padded by kLanes, so that sixteen values can be
+  /// read from any place.
   std::vector<float> rows;
   /// [groupCount]; boxes of the points of a group's guides, metres.
   std::vector<LaneVec3> lower,  ///< corner towards -x, -y, -z
       upper;                    ///< corner towards +x, +y, +z
 
-  /// Room for these guides at `samples` >= 2 a guide. Throws Error below that.
+  /// Allocates the curves of these guides, with `samples` >= 2 per guide. Throws Error below that.
   GuideCurves(const GuideStrands& guides, std::uint32_t samples);
 
-  /// How many guides there are.
+  /// Number of guides.
   std::size_t guideCount() const { return (rows.size() - kLanes) / (kRows * samples); }
   /// One component at all samples of a guide: [samples].
   const float* row(std::size_t guide, std::size_t component) const {
@@ -83,7 +83,7 @@ struct GuideCurves {
   }
 };
 
-/// Samples all guides where they are now. Threads over groups of guides.
+/// Samples all guides at their current positions. Threads over groups of guides.
 void sampleGuides(const GuideStrands& guides, GuideCurves& curves);
 
 }  // namespace hair

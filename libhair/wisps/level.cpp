@@ -14,7 +14,7 @@ namespace hair {
 
 namespace {
 
-constexpr std::uint32_t kMoment = 0x10d;  // use of a random number
+constexpr std::uint32_t kMoment = 0x10d;  // random stream of LevelOfDetail::segmentsOf
 
 std::uint32_t pointsAt(const LevelOfDetail& level, const Groom& groom, std::size_t s) {
   const std::uint32_t segments = groom.first[s + 1] - groom.first[s] - 1;
@@ -44,6 +44,7 @@ void setLevel(const GroomDetail& detail, const LevelOfDetail& level, Wisps& wisp
   const std::size_t strands = groom.strandCount();
   drawn.first.resize(strands + 1);
   drawn.weights.resize(strands);
+  // Count what each strand keeps, and the lengths of all, weighted by width, and drawn.
   double all = 0, weighted = 0, seen = 0;
   std::uint32_t points = 0;
   for (std::size_t s = 0; s < strands; ++s) {
@@ -57,6 +58,7 @@ void setLevel(const GroomDetail& detail, const LevelOfDetail& level, Wisps& wisp
     points += weight > 0 ? pointsAt(level, groom, s) : 0;
   }
   drawn.first[strands] = points;
+  // Widen strands so that they cover as much as before, shortened as they are by fewer points.
   drawn.wider =
       weighted > 0 ? static_cast<float>(all / weighted) / detail.lengthKept(level.points) : 1.0f;
   drawn.solid = seen > 0 ? static_cast<float>(weighted / seen) : 1.0f;

@@ -9,24 +9,25 @@
 
 namespace HAIR_API hair {
 
-/// What drawWisps draws from now on; wisps.points has room for it, and nothing of use in it until
-/// then. Strands keep their numbers: one that is not drawn has no points. `detail`: of the wisps'
-/// groom. Costs a few nanoseconds a strand of the groom; no memory is given back, lest the next
-/// level has to ask for it again. Throws Error for a level out of range and another groom's detail.
+/// Sets the level of detail of drawWisps. Resizes wisps.points; its contents are undefined until
+/// the next draw. Strands keep their numbers: one that is not drawn has no points. `detail`: of the
+/// wisps' groom. Costs a few nanoseconds per strand of the groom. Never frees memory, so that later
+/// levels need not allocate. Throws Error for a level out of range and another groom's detail.
 void setLevel(const GroomDetail& detail, const LevelOfDetail& level, Wisps& wisps);
 
-/// Makes strands on their way out as faint as they are narrow: multiplies the opacity (highest
-/// byte) of their colours, [pointCount].
+/// Fades strands that are about to leave: multiplies the opacity (highest byte) of their `colours`
+/// [pointCount] by their weights.
 void fadeColours(const Wisps& wisps, std::span<std::uint32_t> colours);
 
-/// Draws strands 0, stride, 2 · stride ... with all of their points, whatever the level, after
-/// prepareWisps. `out` has all strands of the groom; the others have no points. Threads over
-/// strands.
+/// Draws every stride-th strand (0, stride, 2 · stride ...) with all of its points, at any level,
+/// after prepareWisps. `out` has all strands of the groom; the others have no points. Threads over
+/// strands. Throws Error for a stride of 0.
 void drawEvery(std::uint32_t stride, const Wisps& wisps, StrandSet& out);
 
-/// A groom that has no more than the level draws: less memory, for one that stays small (a crowd, a
-/// file). Strands that are on their way out are in or out; all are as wide, and cover as much as
-/// before together. Drawn at rest, points are those of the level.
+/// A groom of only what the level draws: less memory, where the level does not change (a crowd, a
+/// file). Strands that are fading are kept from half of the full width on; all are equally wide,
+/// and together cover as much as before. Drawn at rest, points are those of the level. Throws Error
+/// as setLevel.
 Groom groomAt(const Groom& groom, const GroomDetail& detail, const LevelOfDetail& level);
 
 }  // namespace hair

@@ -1,5 +1,5 @@
-// Sixteen points among the obstacles of drawn strands. Compiled once per instruction set, as
-// core/simd-inl.h is.
+// Distances of sixteen points to the obstacles of drawn strands. Compiled once per instruction set,
+// as core/simd-inl.h is.
 #if defined(HAIR_WISPS_OBSTACLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_WISPS_OBSTACLES_INL_H
 #undef HAIR_WISPS_OBSTACLES_INL_H
@@ -41,25 +41,25 @@ struct MeshLookup {
     const Vec3 p = rotate(glm::transpose(mesh.worldFromMesh), world - Vec3(mesh.translation));
     return Floats(1.0f / mesh.scale) * p;
   }
-  /// Metres, less what is kept.
+  /// Signed distance beyond the required one, metres.
   HWY_INLINE Floats beyond(Vec3 inMesh, Mask wanted) const {
     return Floats(mesh.scale) * sdf.distance(inMesh, wanted) - Floats(mesh.keep);
   }
 };
 
-/// Less what is kept.
+/// Signed distance beyond the required one, metres.
 HWY_INLINE Floats beyond(const WispObstacles::Face& face, Vec3 p) {
   return dot(Vec3(face.normal), p) - Floats(face.offset);
 }
 
-/// What a distance from a field of such cells is at least: the grid is wrong by little near the
-/// surface, by a cell far from it (MeshSdf).
+/// Lower bound of the true distance, from that of a field with these cells: a quarter of a cell
+/// less near the surface, and a cell less far from it (MeshSdf).
 HWY_INLINE Floats atLeast(Floats distance, float cell) {
   return select(distance < Floats(2.0f * cell), distance - Floats(0.25f * cell),
                 max(distance - Floats(cell), Floats(1.75f * cell)));
 }
 
-/// From the axis of a capsule to points.
+/// Vectors from the axis of a capsule to points.
 HWY_INLINE Vec3 fromAxis(const WispObstacles::Axis& c, Vec3 p) {
   const Vec3 fromA = p - Vec3(c.a), axis(c.axis);
   const Floats t = min(max(dot(fromA, axis) * Floats(c.perLength2), Floats(0.0f)), Floats(1.0f));

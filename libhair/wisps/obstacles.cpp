@@ -9,10 +9,10 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// Rounding of positions some metres from the origin, and then some.
+// Metres; more than positions some metres from the origin are rounded by.
 constexpr float kSlack = 1e-5f;
 
-// Which capsules come near the boxes of a group's guides.
+// Broad phase: finds the capsules whose boxes meet those of the guides of a group, one bit each.
 void findNear(const WispObstacles& obstacles, const LaneVec3& lower, const LaneVec3& upper,
               std::size_t used, std::uint64_t* near) {
   const Vec3 low(lower), high(upper);
@@ -27,7 +27,7 @@ void findNear(const WispObstacles& obstacles, const LaneVec3& lower, const LaneV
   }
 }
 
-// The room around one guide; takes those off `near` that are not.
+// Measures the room around one guide, and removes capsules from `near` that are not within kReach.
 void measureRoom(const GuideCurves& curves, float clearance, std::size_t guide,
                  WispObstacles& obstacles) {
   const std::size_t samples = curves.samples;
@@ -38,6 +38,7 @@ void measureRoom(const GuideCurves& curves, float clearance, std::size_t guide,
     if (k + kLanes > samples && samples > kLanes) k = samples - kLanes;
     const Vec3 p(loadFloats(x + k), loadFloats(x + samples + k), loadFloats(x + 2 * samples + k));
     const Mask used = firstLanes(samples - k);
+    // Find the distances to the head and to everything else.
     Floats toHead(1.0f), toBody(WispObstacles::kReach);
     if (obstacles.head) {
       const HeadLookup head(obstacles);
@@ -62,6 +63,7 @@ void measureRoom(const GuideCurves& curves, float clearance, std::size_t guide,
       const Floats scale = mesh.scale;
       toBody = min(toBody, scale * atLeast(d, mesh.sdf->field().cell) - Floats(mesh.keep));
     }
+    // Store them squared, as points compare squared distances.
     const auto squared = [](Floats d) HWY_ATTR {
       d = max(d - Floats(kSlack), Floats(0.0f));
       return d * d;
@@ -76,7 +78,7 @@ void measureRoom(const GuideCurves& curves, float clearance, std::size_t guide,
   obstacles.near[guide] = near;
 }
 
-// Groups begin to end of the guides.
+// Measures the groups [begin, end) of the guides.
 void measureGroups(const GuideCurves& curves, float clearance, std::size_t begin, std::size_t end,
                    WispObstacles& obstacles) {
   for (std::size_t group = begin; group < end; ++group) {

@@ -19,33 +19,33 @@ namespace HAIR_API hair {
 struct WispSettings {
   bool avoidColliders = true;     ///< false: drawn strands are not kept out of colliders
   float clearance = 1e-3f;        ///< metres that drawn points keep from colliders, [0, 0.1)
-  std::uint32_t blendPoints = 4;  ///< points above the first hit over which a strand changes over
+  std::uint32_t blendPoints = 4;  ///< points before the first hit that blend into the fallback
 };
 
-/// What of a groom is drawn (setLevel).
+/// The part of a groom that is drawn (setLevel).
 struct DrawnPart {
   LevelOfDetail level;               ///< as given
   std::vector<std::uint32_t> first;  ///< [strandCount + 1]; empty: all, as the groom has them
-  std::vector<float> weights;  ///< [strandCount], widths as shares of the others', or empty: all 1
-  float wider = 1;             ///< so much wider are strands than those of the groom
-  float solid = 1;             ///< mean of the weights that are not 0
+  std::vector<float> weights;        ///< [strandCount], relative widths, [0, 1]; or empty: all 1
+  float wider = 1;  ///< factor by which drawn strands are wider than those of the groom
+  float solid = 1;  ///< mean of the weights that are not 0
 };
 
-/// Drawn strands that follow guides, as a Groom says.
+/// Drawn strands, which follow guides as defined by Groom.
 struct Wisps {
   /// Guides at rest and the head's collider (may be null): a strand groomed closer to the head
   /// than the clearance may stay as close.
-  /// Throws Error: a groom whose arrays disagree (counts, guide indices, weights that do not sum
-  /// to 1, strands of fewer than 2 points), offsets or settings that are out of range. Keeps a
+  /// Throws Error for a groom whose arrays disagree (counts, guide indices, weights that do not sum
+  /// to 1, strands of fewer than 2 points), and for offsets or settings out of range. Keeps a
   /// reference to the groom.
   Wisps(const Groom& groom, const GuideStrands& guidesAtRest, const WispSettings& settings = {},
         const MeshSdf* head = nullptr);
 
-  /// What interpolateWisps last made.
+  /// The strands that interpolateWisps or drawWisps last wrote.
   StrandView strands() const {
     return {points, drawn.first.empty() ? std::span(groom->first) : std::span(drawn.first)};
   }
-  /// The groom's fibre, as wide as strands are drawn.
+  /// The groom's fibre, widened as strands are drawn.
   Fibre fibre() const {
     Fibre fibre = groom->fibre;
     fibre.hairsPerStrand *= drawn.wider;
@@ -67,36 +67,37 @@ struct Wisps {
 
   const Groom* groom;             ///< as given; not owned
   WispSettings settings;          ///< as given
-  DrawnPart drawn;                ///< as setLevel was told
+  DrawnPart drawn;                ///< set by setLevel
   std::vector<glm::vec3> points;  ///< [pointCount], metres, world
   GuideCurves curves;             ///< of the guides, sampled at the last frame
-  /// [strandCount]; where the root sits in the frame at its main guide's root, metres: the offset
-  /// that single-strand interpolation keeps along the whole strand.
+  /// [strandCount]; roots in the frames at the roots of their main guides, metres: the offset that
+  /// single-strand interpolation keeps along the whole strand.
   std::vector<glm::vec3> rootOffsets;
   std::vector<float> clearance;  ///< [strandCount], metres to the head
-  /// sampleOf(k, n) of every k at [tableOf[n] + k], for each n that strands have; and kLanes more.
+  /// sampleOf(k, n) at [tableOf[n] + k], for every k and each n that occurs; padded by kLanes.
   std::vector<std::int32_t> sampleTable;
   std::vector<std::uint32_t> tableOf;  ///< [longest strand + 1]
-  WispObstacles obstacles;             ///< scratch of the frame
+  WispObstacles obstacles;             ///< set by prepareWisps
 };
 
-/// Guides to drawn strands. For each strand, multi-strand interpolation (Groom); where a point
-/// would be inside a collider, single-strand interpolation from a few points above it to the tip;
-/// and what is inside even then is put on the surface. Colliders are where they stand at the end of
-/// the frame. Writes wisps.points: prepareWisps, then drawWisps of all strands. Same bits on every
+/// Draws all strands from the guides. Each strand by multi-strand interpolation (Groom); where a
+/// point would be inside a collider, by single-strand interpolation from a few points before it to
+/// the tip; points inside even then are put on the surface. Uses the colliders at the end of the
+/// frame. Writes wisps.points: prepareWisps, then drawWisps of all strands. Same bits on every
 /// instruction set and for any number of threads. Throws Error for more than 64 capsules, and for
-/// scenery that is not valid.
+/// invalid scenery.
 void interpolateWisps(const GuideStrands& guides, const ColliderState& colliders, Wisps& wisps);
 
-/// What a frame does once: samples the guides, and finds out which obstacles are near. Threads over
-/// guides.
+/// The per-frame part: samples the guides, and finds the obstacles near them. Threads over guides.
+/// Throws Error as interpolateWisps.
 void prepareWisps(const GuideStrands& guides, const ColliderState& colliders, Wisps& wisps);
 
-/// Draws strands begin to end with what prepareWisps left, on the calling thread: several threads
-/// may draw strands of their own at once. Distance fields that it was given must still be there.
+/// Draws strands [begin, end) after prepareWisps, on the calling thread: several threads may draw
+/// disjoint ranges at once. The distance fields given to prepareWisps must still exist.
 void drawWisps(std::size_t begin, std::size_t end, Wisps& wisps);
 
-/// Draws one strand with all of its points, whatever is drawn: as many as the groom has.
+/// Draws one strand with all of its points in the groom, at any level, into `points`; after
+/// prepareWisps.
 void drawWhole(std::size_t strand, const Wisps& wisps, std::span<glm::vec3> points);
 
 }  // namespace hair

@@ -12,7 +12,6 @@
 import html.parser
 import pathlib
 import re
-import subprocess
 import sys
 import urllib.parse
 import xml.etree.ElementTree
@@ -21,13 +20,21 @@ EXTERNAL = re.compile(r"https?://[\w.-]+\.[a-z]{2,}(:\d+)?(/[^\s<>\"]*)?$|mailto
 BLOCK = re.compile(r"<!-- code: (\S+) -->\n```\w*\n(.*?)```", re.S)
 
 
+def own_pages(root):
+    """Every page but those in what the scripts leave at the top (build, out) and in hidden folders."""
+    for top in sorted(root.iterdir()):
+        if top.name in ("build", "out") or top.name.startswith("."):
+            continue
+        for page in sorted(top.rglob("*.md")) if top.is_dir() else [top] if top.suffix == ".md" else []:
+            yield page
+
+
 def check_markdown(root):
-    pages = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.md"],
-                           cwd=root, capture_output=True, text=True)
-    files = ([root / f for f in pages.stdout.split()] if pages.returncode == 0
-             else [p for p in root.rglob("*.md") if "build" not in p.relative_to(root).parts])
-    anchors = {f.resolve(): set(site_filter.slugs(f.read_text())) for f in files if f.is_file()}
-    for file, text in ((f, f.read_text()) for f in files if f.is_file()):
+    texts = {f: f.read_text() for f in own_pages(root)}
+    if root / "README.md" not in texts:
+        yield f"{root}: there is no README.md"
+    anchors = {f.resolve(): set(site_filter.slugs(text)) for f, text in texts.items()}
+    for file, text in texts.items():
         where = file.relative_to(root)
         prose = site_filter.COMMENT.sub("", site_filter.FENCE.sub("", text))
         prose = re.sub(r"^( {4}|\t).*$", "", prose, flags=re.M)

@@ -1,4 +1,4 @@
-// The programs of docs/concepts, compiled and run; check_pages.py compares them word by word.
+// Programs of docs/concepts, compiled and run; check_pages.py compares them line by line.
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -10,7 +10,6 @@
 #include <libhair/measure/shadow/choose.h>
 #include <libhair/model/head.h>
 #include <libhair/model/styles.h>
-#include <libhair/motion/motion.h>
 #include <libhair/shadow/methods/shadow_method.h>
 #include <libhair/simulation/frame.h>
 #include <libhair/wisps/bind.h>
@@ -21,7 +20,7 @@ TEST(ConceptPages, StrandsAreTwoArrays) {
                                    {0.01f, 0, 0}, {0.01f, -0.1f, 0}, {0, -0.2f, 0}};  // another
   std::vector<std::uint32_t> first = {0, 2, 5};
   const hair::StrandView strands{points, first};
-  hair::validate(strands, "my strands");  // the door: throws Error where something is wrong
+  hair::validate(strands, "my strands");  // throws Error where something is wrong
   // clang-format on
   EXPECT_EQ(strands.strandCount(), 2u);
   first.back() = 6;
@@ -30,36 +29,11 @@ TEST(ConceptPages, StrandsAreTwoArrays) {
 
 TEST(ConceptPages, ALoadedFileBecomesAGroom) {
   const std::filesystem::path path = std::filesystem::path(HAIR_MODELS_DIR) / "smooth.hair";
-  hair::StrandFile file = hair::readStrands(path);  // .hair, .tfx, .data: metres, +Y up
+  hair::StrandFile file = hair::readStrands(path);  // any format: metres, +Y up
   hair::dropDegenerate(file);                       // strands without a direction
   const hair::Groom groom = hair::bindGroom(file.strands, {.guides = 60});
   EXPECT_EQ(groom.guideCount(), 60u);
   EXPECT_EQ(groom.strandCount(), file.strands.strandCount());
-}
-
-TEST(ConceptPages, AFrameMovesShadowsAndShadesHair) {
-  const int frames = 3;
-  std::size_t drawn = 0;
-  const auto draw = [&](hair::StrandView strands, const std::vector<std::uint32_t>& colours) {
-    drawn += strands.pointCount();
-    EXPECT_EQ(strands.pointCount(), colours.size());
-  };
-
-  const hair::MeshSdf head(hair::builtinHead().mesh);
-  const hair::Groom groom = hair::makeGroom(hair::styleSettings(hair::Style::Smooth), head);
-  const hair::Motion motion = hair::Motion::dance();
-  hair::BodyPose pose = motion.pose(0);
-  const hair::FrameSettings settings;
-  hair::Hair hair(groom, settings, {pose.worldFromHead, pose.capsules}, &head);
-
-  hair::FrameProfile profile{};
-  for (int f = 1; f <= frames; ++f) {
-    motion.pose(f / 60.0, pose);
-    hair::frame({pose.worldFromHead, pose.capsules}, settings, 1.0f / 60, hair, profile);
-    draw(hair.strands(), hair.colours);
-  }
-  EXPECT_EQ(drawn, 3 * groom.pointCount());
-  EXPECT_NEAR(hair.time, 3 / 60.0, 1e-6);
 }
 
 TEST(ConceptPages, SettingsAreChosenFromABudget) {

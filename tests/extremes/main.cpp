@@ -1,21 +1,11 @@
 // hair-extremes: thousands of combinations of extreme inputs, each of which hair either survives
-// with what is promised of it, or refuses with a clear Error. docs/extremes.md has what came out.
-//
-//   hair-extremes [--quick] [--count N] [--only N] [--seed N] [--csv FILE] [--tables FILE]
-//
-//   --quick        the first 150 combinations
-//   --count N      the first N (1,500)
-//   --only N       combination N alone, with all that is known of it
-//   --seed N       others (1)
-//   --csv FILE     one line a combination
-//   --tables FILE  a table for each dimension, in Markdown
-//
-// Its last line is "combinations N, violations N, refused N"; exit code 1 if there is a violation.
+// with what is promised of it, or refuses with a clear Error. docs/measurements.md has the results.
 
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <string_view>
 
 #include <libhair/core/error.h>
 
@@ -24,20 +14,43 @@
 namespace hair::extremes {
 namespace {
 
+constexpr std::string_view kHelp =
+    R"(hair-extremes [--quick] [--count N] [--only N] [--seed N] [--csv FILE] [--tables FILE]
+
+Thousands of combinations of extreme inputs, each of which hair either survives with what is promised
+of it, or refuses with a clear error.
+
+  --quick        the first 150 combinations
+  --count N      the first N (1500)
+  --only N       combination N alone, with all that is known of it
+  --seed N       others (1)
+  --csv FILE     one line a combination
+  --tables FILE  a table for each dimension, in Markdown
+  -h, --help     this
+
+Its last line is "combinations N, violations N, refused N". Exit codes: 0 done, 1 a violation,
+2 bad usage.
+)";
+
 struct Options {
   std::uint32_t first = 0, count = 1500, seed = 1;
   std::string csv, tables;
+  bool help = false;
 };
 
 Options parse(int argc, char** argv) {
   Options o;
   for (int i = 1; i < argc; ++i) {
     const std::string option = argv[i];
+    if (option == "--help" || option == "-h") {
+      o.help = true;
+      return o;
+    }
     if (option == "--quick") {
       o.count = 150;
       continue;
     }
-    require(i + 1 < argc, option, " wants a value, or is no option; see the head of main.cpp");
+    require(i + 1 < argc, option, " wants a value, or is no option; --help tells which there are");
     const std::string value = argv[++i];
     const auto number = [&] { return static_cast<std::uint32_t>(std::stoul(value)); };
     if (option == "--count")
@@ -51,7 +64,7 @@ Options parse(int argc, char** argv) {
     else if (option == "--tables")
       o.tables = value;
     else
-      throw Error(option + " is no option; see the head of main.cpp");
+      throw Error(option + " is no option; --help tells which there are");
   }
   return o;
 }
@@ -69,6 +82,10 @@ void tell(const Done& done, bool everything) {
 }
 
 int main(const Options& options) {
+  if (options.help) {
+    std::cout << kHelp;
+    return EXIT_SUCCESS;
+  }
   std::vector<Done> all;
   std::size_t violations = 0, refused = 0;
   for (std::uint32_t i = 0; i < options.count; ++i) {

@@ -1,4 +1,4 @@
-// What may happen between two frames: docs/motion.md.
+// What may happen between two frames: docs/guarantees.md.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// What users of a motion may rely on: docs/motion.md.
+// What users of a motion may rely on: docs/guarantees.md.
 
 #include <cmath>
 #include <limits>

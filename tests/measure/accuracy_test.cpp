@@ -1,4 +1,4 @@
-// What docs/accuracy.md promises of the density map's automatic settings, on real hair.
+// What docs/measurements.md promises of the density map's automatic settings, on real hair.
 #include <filesystem>
 
 #include <gtest/gtest.h>

@@ -37,7 +37,7 @@ namespace hair {
 /// second BasisCurves are refused.
 class UsdaReader {
  public:
-  /// `stream` must outlive the reader; `name` stands for the file in messages.
+  /// `stream` must outlive the reader; `name` names the file in messages.
   UsdaReader(std::istream& stream, std::string_view name);
 
   /// Samples of points; 1 where they are not animated.

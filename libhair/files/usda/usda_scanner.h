@@ -32,7 +32,7 @@ class UsdaScanner {
     bool isWord(std::string_view w) const { return kind == Kind::Word && text == w; }
   };
 
-  /// `name` stands for the file in messages; `stream` must outlive the scanner.
+  /// `name` names the file in messages; `stream` must outlive the scanner.
   UsdaScanner(std::istream& stream, std::string_view name);
 
   /// Reads the next token; `peek` does not take it away.

@@ -25,18 +25,20 @@ double nanosecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-/// What else a machine does only adds time.
+/// The least time, as interference only adds to it.
 double least(const std::vector<double>& values) {
   return *std::min_element(values.begin(), values.end());
 }
 
-/// One way to shadow, timed.
+/// One method with its settings, timed on one hair.
 struct Run {
   std::size_t hair;
   ShadowSettings settings;
-  std::vector<double> build{}, sample{};  // nanoseconds, a round each
+  std::vector<double> build{}, sample{};  // nanoseconds, one per round
 };
 
+/// The runs that the coefficients are fitted to. Settings are combined so that the terms of a stage
+/// are not proportional to each other.
 std::vector<Run> plannedRuns(std::size_t hairs, float extent) {
   std::vector<Run> runs;
   const auto add = [&](std::size_t hair, const ShadowSettings& s) { runs.push_back({hair, s}); };
@@ -47,7 +49,7 @@ std::vector<Run> plannedRuns(std::size_t hairs, float extent) {
     s.footprint = footprint * s.cellSize;
     return s;
   };
-  // Cells and footprints do not go hand in hand either, nor do pixels and layers.
+  // Vary footprints independently of cells, and layers of pixels.
   constexpr float kCells[] = {1.1e-3f, 1.6e-3f, 2.3e-3f, 3e-3f};
   constexpr float kFootprints[] = {2.8f, 1, 2, 1.4f};
   for (std::size_t h = 0; h < hairs; ++h) {
@@ -82,7 +84,8 @@ std::vector<Run> plannedRuns(std::size_t hairs, float extent) {
   return runs;
 }
 
-/// Least sum of (1 - terms · x / time)² over x >= 0, one coefficient at a time until none moves.
+/// Minimises the sum of (1 - terms · x / time)² over x >= 0 by coordinate descent: sets one
+/// coefficient after the other to its best value, until none changes.
 CostTerms fit(const std::vector<CostTerms>& terms, const std::vector<double>& time) {
   CostTerms x{};
   for (int pass = 0; pass < 20'000; ++pass) {
@@ -120,7 +123,7 @@ StrandSet inRandomOrder(StrandView strands) {
 void timeOnce(StrandView strands, const Fibre& fibre, const LightSpace& light, Run& run,
               std::vector<float>& out) {
   const std::unique_ptr<ShadowMethod> method = makeShadowMethod(run.settings);
-  method->build(strands, fibre, light);  // pages and caches
+  method->build(strands, fibre, light);  // warms pages and caches
   Clock::time_point start = Clock::now();
   method->build(strands, fibre, light);
   run.build.push_back(nanosecondsSince(start));
@@ -137,8 +140,9 @@ MachineCosts calibrate(StrandView strands, const Fibre& fibre, int repeats) {
           "calibration: ", strands.strandCount(), " strands of ", strands.pointCount(),
           " points are too few to tell costs apart; take the built-in style");
   const LightSpace light = makeLightSpace({0.45f, -0.8f, -0.4f});
-  // As they are; in random order, which caches do not like; and half of them with a third of their
-  // points: points, segments, cells and memory do not go hand in hand.
+  // Make three hairs in which points, segments, cells and memory are not proportional: the strands
+  // in their order; in random order, which misses caches; and half of them with a third of the
+  // points.
   const StrandSet shuffled = inRandomOrder(strands);
   const std::size_t perStrand = strands.pointCount() / strands.strandCount();
   const ResamplePlan plan =
@@ -149,6 +153,7 @@ MachineCosts calibrate(StrandView strands, const Fibre& fibre, int repeats) {
   const StrandView hairs[] = {strands, shuffled, coarse};
   std::vector<HairFeatures> features;
   for (const StrandView hair : hairs) features.push_back(hairFeatures(hair, light));
+  // Time all runs, round by round.
   const glm::dvec3 size = features[0].size;
   std::vector<Run> runs =
       plannedRuns(features.size(), static_cast<float>(std::max({size.x, size.y, size.z})));
@@ -156,6 +161,7 @@ MachineCosts calibrate(StrandView strands, const Fibre& fibre, int repeats) {
   for (int round = 0; round < repeats; ++round)
     for (Run& run : runs) timeOnce(hairs[run.hair], fibre, light, run, out);
 
+  // Fit each stage to its runs.
   MachineCosts machine;
   machine.threads = threadCount();
   for (std::size_t s = 0; s < kCostStages; ++s) {

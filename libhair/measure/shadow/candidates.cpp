@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostCells = 512;
 
-// A list of candidates that grows, each with a name of its own.
+// A list of candidates with unique labels.
 class List {
  public:
   void add(const ShadowSettings& settings) {
@@ -23,7 +23,7 @@ class List {
   }
   void add(std::string method, std::string label, const ShadowSettings& settings) {
     std::replace(label.begin(), label.end(), ',', ';');
-    // Settings that read alike still are two columns of a table.
+    // Number equal labels: each is a column of a table.
     std::string unique = label;
     for (int n = 2; !labels_.insert(unique).second; ++n) unique = text(label, " (", n, ')');
     candidates.push_back({std::move(method), std::move(unique), settings});
@@ -36,7 +36,7 @@ class List {
 };
 
 DensityMapSettings densityMap(float cellSize, float extent, Deposit deposit, Filter filter) {
-  // Hair that begins in the middle of a cell needs one more.
+  // Add a margin of a cell on each side: hair may begin in the middle of one.
   DensityMapSettings settings = settingsForFootprint(cellSize, extent + 2 * cellSize, kMostCells);
   settings.deposit = deposit;
   settings.filter = filter;
@@ -44,7 +44,7 @@ DensityMapSettings densityMap(float cellSize, float extent, Deposit deposit, Fil
 }
 
 DensityMapSettings footprintMap(float cellSize, float footprint, float extent) {
-  // The filter reads beyond the hair, and must not meet its other side there.
+  // Add the reach of the filter, so that it does not wrap around to the other side of the hair.
   const float reach = 2 * (footprint + cellSize);
   DensityMapSettings settings =
       densityMap(cellSize, extent + reach, Deposit::Columns, Filter::Footprint);
@@ -57,10 +57,10 @@ void addDensityMaps(float footprint, float extent, CandidateSet set, List& list)
     list.add(footprintMap(footprint * 2 / 3, footprint, extent));
     return;
   }
-  // The paper's own: 128 cells over the hair and a margin, a count a point (section 4.3).
+  // Add the paper's own: 128 cells over the hair and a margin, one count per point (section 4.3).
   DensityMapSettings paper;
   paper.cells = 128;
-  paper.cellSize = std::ceil(extent / 126 * 1e5f) * 1e-5f;  // so that its name is short
+  paper.cellSize = std::ceil(extent / 126 * 1e5f) * 1e-5f;  // rounded up for a short label
   paper.deposit = Deposit::Points;
   paper.filter = Filter::Paper;
   list.add(paper);
@@ -142,7 +142,7 @@ void addDeepOpacityMaps(float footprint, CandidateSet set, List& list) {
   settings.pixelSize = footprint;
   settings.beyond = DeepOpacityMapSettings::Beyond::LargerLayers;
   list.add(settings);
-  // As the paper's own figures: three layers, one fetch.
+  // Add the paper's own: three layers, one fetch.
   DeepOpacityMapSettings paper;
   paper.pixelSize = footprint;
   paper.layers = 3;

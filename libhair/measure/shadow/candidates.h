@@ -11,25 +11,26 @@
 
 namespace HAIR_API hair {
 
-/// One row of a table that compares ways to shadow hair.
+/// One row of a table that compares shadow methods and their settings.
 struct ShadowCandidate {
   std::string method;  ///< methodName, or "auto": the density map that automaticMapSettings chose
-  std::string label;   ///< "density map 3 mm ...", or "auto"; differs within a list, no commas
+  std::string label;   ///< "density map 3 mm ...", or "auto"; unique in a list, without commas
   ShadowSettings settings;  ///< what makeShadowMethod takes
 };
 
-/// How much of the space of settings is tried.
+/// Extent of a list of candidates.
 enum class CandidateSet {
-  Quick,  ///< each method once, as it is best at this footprint without thought, and `auto`
+  Quick,  ///< each method once, with good default settings for this footprint, and `auto`
   All,    ///< each at several resolutions and layer counts, among them those of its own paper
 };
 
-/// What is worth trying for shadows averaged over a disc of radius `footprint` (metres, > 0).
-/// Reads the strands' extent under that light. `auto` comes first.
+/// Settings to compare for shadows averaged over a disc of radius `footprint` (metres, > 0), sized
+/// for the strands' extent under this light. `auto` comes first. Throws Error for a footprint that
+/// is not positive.
 std::vector<ShadowCandidate> shadowCandidates(StrandView strands, const LightSpace& light,
                                               float footprint, CandidateSet set);
 
-/// The names that ShadowCandidate::method takes, in the order of shadowCandidates.
+/// All values of ShadowCandidate::method, in the order of shadowCandidates.
 std::span<const std::string> candidateMethods();
 
 }  // namespace hair

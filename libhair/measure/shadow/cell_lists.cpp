@@ -9,7 +9,7 @@ namespace hair {
 
 namespace {
 
-/// More than so many are mostly empty, and memory that is not in the cache.
+/// Largest number of cells: more are mostly empty, and miss the cache.
 double mostCells(std::size_t segments) {
   return std::min(32.0 * static_cast<double>(segments) + 65536.0, 0x1p25);
 }

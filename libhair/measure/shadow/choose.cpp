@@ -1,3 +1,15 @@
+// chooseShadow in short. Times are cheap to predict (a formula), errors are not (a build and a
+// comparison with traced rays), so candidates are taken by rising time:
+//
+//      error |  x                         1. Predict all times, and sort by them.
+//            |     x                      2. Predict errors from the fastest on, until
+//            |           x                   - the time limit, or
+//   maxError |- - - - - - - o - - - .        - the first error within maxError: all that
+//            |                      :          follow are slower.
+//            '----------------------'--   3. Choose the fastest within maxError; without
+//                     time        limit      maxError, the most accurate.
+//
+// A prediction is within maxError if it still is with one standard error added.
 #include <libhair/measure/shadow/choose.h>
 
 #include <algorithm>
@@ -18,6 +30,7 @@ void checkBudget(const ShadowBudget& budget) {
           "choice of shadows: no limit to choose by; set a max error or a time budget");
 }
 
+// Settings that only reproduce their papers.
 bool isForItsPaper(const ShadowSettings& settings) {
   return std::visit(
       [](const auto& s) {
@@ -33,8 +46,8 @@ bool isForItsPaper(const ShadowSettings& settings) {
       settings);
 }
 
-// Compressed by no tolerance a visibility function is as long as its fragments are many: nothing
-// that costs are fitted for, and never better than the same with a little.
+// Deep shadow maps without compression, whose visibility functions have a node for every fragment:
+// costs are not fitted for these, and a little tolerance is never worse.
 bool isUncompressed(const ShadowSettings& settings) {
   const auto* const deep = std::get_if<DeepShadowMapSettings>(&settings);
   return deep != nullptr && deep->tolerance == 0;
@@ -45,6 +58,7 @@ std::string describe(const PredictedShadow& shadow) {
               shadow.error.standardError, ", ", shadow.time.milliseconds(), " ms)");
 }
 
+// Name the nearest candidate, and the limit that would admit it.
 [[noreturn]] void failOnTime(const PredictedShadow& fastest, double limit) {
   throw Error(text("time budget ", limit, " ms: nothing is that fast here; the nearest is ",
                    fastest.candidate.label, "; raise the time budget to ",
@@ -64,6 +78,7 @@ bool faster(const PredictedShadow& a, const PredictedShadow& b) {
   return a.time.milliseconds() < b.time.milliseconds();
 }
 
+// A density map over the extent and a margin of three cells on each side.
 DensityMapSettings mapOf(float cell, float extent, Filter filter, float footprint) {
   constexpr int kMostCells = 512;
   DensityMapSettings s = settingsForFootprint(cell, extent + 6 * cell, kMostCells);
@@ -76,21 +91,21 @@ DensityMapSettings mapOf(float cell, float extent, Filter filter, float footprin
 
 std::vector<ShadowCandidate> choiceCandidates(StrandView strands, const LightSpace& light,
                                               float footprint) {
+  // Take the candidates of all methods, but replace density maps with Columns by a finer range.
   std::vector<ShadowCandidate> list =
       shadowCandidates(strands, light, footprint, CandidateSet::All);
   std::erase_if(list, [](const ShadowCandidate& c) {
-    // A range of density maps of the same kind follows.
     const auto* const map = std::get_if<DensityMapSettings>(&c.settings);
     return isForItsPaper(c.settings) || isUncompressed(c.settings) ||
            (map != nullptr && map->deposit == Deposit::Columns);
   });
+  // Add density maps with cells a quarter of an octave apart.
   const float extent = std::max(extentSeen(strands, light), footprint);
   const auto add = [&](int quarter, Filter filter) {
-    // Cells a quarter of an octave apart.
     const float part = std::exp2(0.25f * static_cast<float>(quarter));
     const ShadowSettings settings = mapOf(part * footprint, extent, filter, footprint);
     const std::string label = methodName(settings) + ' ' + settingsText(settings);
-    // Cells that many cells would be too small for end at the same size.
+    // Skip duplicates: cells too small for the largest map are enlarged to the same size.
     const bool known = std::any_of(list.begin(), list.end(),
                                    [&](const ShadowCandidate& c) { return c.label == label; });
     if (!known) list.push_back({methodName(settings), label, settings});
@@ -102,10 +117,12 @@ std::vector<ShadowCandidate> choiceCandidates(StrandView strands, const LightSpa
 
 ShadowChoice chooseAmong(const std::vector<PredictedShadow>& predictions,
                          const ShadowBudget& budget) {
+  // Fail if even the fastest exceeds the time limit.
   checkBudget(budget);
   require(!predictions.empty(), "choice of shadows: nothing to choose among");
   const auto fastest = std::min_element(predictions.begin(), predictions.end(), faster);
   if (fastest->time.milliseconds() > budget.milliseconds) failOnTime(*fastest, budget.milliseconds);
+  // Find the best within the limits, and the most accurate within that of time.
   const bool byError = std::isfinite(budget.maxError);
   const PredictedShadow* chosen = nullptr;
   const PredictedShadow* nearest = nullptr;
@@ -113,6 +130,7 @@ ShadowChoice chooseAmong(const std::vector<PredictedShadow>& predictions,
     if (p.time.milliseconds() > budget.milliseconds) continue;
     if (!nearest || p.cautiousError() < nearest->cautiousError()) nearest = &p;
     if (byError && p.cautiousError() > budget.maxError) continue;
+    // Compare by time under a limit of the error, else by error; break ties by the other.
     const bool better =
         !chosen ||
         (byError ? std::tuple(p.time.milliseconds(), p.error.meanAbsolute) <
@@ -121,6 +139,7 @@ ShadowChoice chooseAmong(const std::vector<PredictedShadow>& predictions,
                        std::tuple(chosen->error.meanAbsolute, chosen->time.milliseconds()));
     if (better) chosen = &p;
   }
+  // Say why.
   if (!chosen) failOnError(*nearest, budget);
   ShadowChoice choice{*chosen, {}, predictions.size()};
   choice.reason = byError ? text("the fastest with an error, and a standard error of it, within ",
@@ -134,6 +153,7 @@ ShadowChoice chooseAmong(const std::vector<PredictedShadow>& predictions,
 ShadowChoice chooseShadow(StrandView strands, const Fibre& fibre, const LightSpace& light,
                           float footprint, const ShadowBudget& budget, const MachineCosts& machine,
                           const PilotSettings& settings) {
+  // Predict the times of all candidates, and sort by them.
   checkBudget(budget);
   const HairFeatures hair = hairFeatures(strands, light);
   std::vector<PredictedShadow> all;
@@ -144,6 +164,7 @@ ShadowChoice chooseShadow(StrandView strands, const Fibre& fibre, const LightSpa
   std::stable_sort(all.begin(), all.end(), faster);
   if (all.front().time.milliseconds() > budget.milliseconds)
     failOnTime(all.front(), budget.milliseconds);
+  // Predict errors, fastest first; leave out candidates that cannot shadow this hair.
   ErrorPilot pilot(strands, fibre, light, footprint, settings);
   std::vector<PredictedShadow> predicted;
   std::string failure;
@@ -156,10 +177,11 @@ ShadowChoice chooseShadow(StrandView strands, const Fibre& fibre, const LightSpa
       continue;
     }
     predicted.push_back(std::move(p));
-    // All that follow are slower.
+    // Stop at the first that meets the limit of the error: all others are slower.
     if (std::isfinite(budget.maxError) && predicted.back().cautiousError() <= budget.maxError)
       break;
   }
+  // Choose, and add the size of the pilot to the reason.
   require(!predicted.empty(), "choice of shadows: nothing can shadow this hair; ", failure);
   ShadowChoice choice = chooseAmong(predicted, budget);
   choice.reason +=

@@ -12,7 +12,7 @@ namespace hair {
 
 namespace {
 
-// Of a cube of as many cells as a brick has.
+// Side, in cells, of a cube of as many cells as a brick has.
 const double kBrickSide = std::cbrt(brick::kCells);
 
 double log2Of(double x) {
@@ -45,7 +45,7 @@ CostTerms mapSample(const HairFeatures& hair, const DensityMapSettings& s) {
   double reads = 1;
   if (s.filter == Filter::Footprint) {
     const double across = 2 * static_cast<double>(FootprintKernel(s).halfWidth) + 2;
-    // Rows of bricks that a row of weights meets, on average over where it begins.
+    // Count the rows of bricks that a row of weights crosses, on average over where it begins.
     reads = across * (1 + (across - 1) / brick::kY);
   }
   return {hair.points, hair.points * reads, hair.points * log2Of(megabytes),
@@ -54,7 +54,7 @@ CostTerms mapSample(const HairFeatures& hair, const DensityMapSettings& s) {
 }
 
 struct ImageShape {
-  double pixels, fragments, perPixel;  // perPixel: fragments of a pixel that has some
+  double pixels, fragments, perPixel;  // perPixel: mean fragments of a pixel that has any
 };
 ImageShape imageShape(const HairFeatures& hair, float pixelSize) {
   const double size = static_cast<double>(pixelSize);

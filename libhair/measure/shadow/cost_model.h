@@ -12,9 +12,9 @@
 
 namespace HAIR_API hair {
 
-/// The stages of shadow methods whose time is predicted, each with coefficients of its own.
+/// The stages of shadow methods whose time is predicted, each with its own coefficients.
 enum class CostStage {
-  DepositPoints,         ///< density map, whole build with that deposit
+  DepositPoints,         ///< density map, whole build with Deposit::Points
   DepositColumns,        ///< the same with Deposit::Columns
   DepositSegments,       ///< the same with Deposit::Segments
   DepositTrilinear,      ///< the same with Deposit::Trilinear
@@ -30,64 +30,65 @@ enum class CostStage {
   ClusteringSample,      ///< density clustering
   DeepShadowMapBuild,    ///< deep shadow map
   DeepShadowMapSample,   ///< deep shadow map
-  Count                  ///< how many there are
+  Count                  ///< number of stages
 };
-/// How many stages are predicted.
+/// Number of stages.
 inline constexpr std::size_t kCostStages = static_cast<std::size_t>(CostStage::Count);
-/// Coefficients of a stage, at the most.
+/// Largest number of coefficients of a stage.
 inline constexpr std::size_t kCostTerms = 5;
 
-/// How often a stage does what takes its time; costTerms says what each is.
+/// Amounts of the operations that take the time of a stage; costTerms defines them.
 using CostTerms = std::array<double, kCostTerms>;
 
-/// How fast this machine is, with this many threads, in nanoseconds a term. Plain numbers: fitted
-/// once by calibrate(), then kept for as long as machine, threads and library are the same.
+/// Speed of a machine with some number of threads, in nanoseconds per unit of a term. Plain
+/// numbers: fitted once by calibrate(), valid while machine, threads and library are the same.
 struct MachineCosts {
   std::array<CostTerms, kCostStages> nanoseconds{};  ///< [stage][term]
-  int threads = 0;                                   ///< that it was calibrated with
+  int threads = 0;                                   ///< threads at calibration
 };
 
-/// A line a stage: its name and its coefficients, nanoseconds.
+/// One line per stage: its name and its coefficients, nanoseconds.
 std::string costText(const MachineCosts& machine);
 
 /// The stages that these settings build and sample with.
 struct CostStages {
-  CostStage build,  ///< of everything that is kept for a frame
-      sample;       ///< of transmittance at all points
+  CostStage build,  ///< builds all that is kept for a frame
+      sample;       ///< samples transmittance at all points
 };
 /// The stages of these settings.
 CostStages costStages(const ShadowSettings& settings);
 
-/// What a stage does with this hair:
-///  - density map, build: segments (points), cells crossed (samples for Trilinear), places of
-///  bricks
-///    in the map's table, cells of bricks that hold hair; and what caches miss: cells crossed ·
-///    coldShare · log2 of its megabytes;
-///  - density map, sample: points, cells read (rows of bricks for Footprint), points · log2 of the
-///    map's megabytes: what caches miss;
-///  - images, build: segments, fragments, words (pixels · layers); with lists of fragments:
-///    fragments · log2 of the fragments a pixel instead of words, and fragments · clusters; and
-///    what caches miss;
-///  - images, sample: points, points · what a point reads.
+/// The terms of a stage for this hair, one after the other:
+///  - density map, build: segments (points for Points), cells crossed (samples for Trilinear),
+///    entries of the map's table of bricks, cells of bricks that hold hair; and for cache misses:
+///    cells crossed · coldShare · log2 of the map's megabytes;
+///  - density map, sample: points, cells read (rows of bricks for Footprint); and for cache misses:
+///    points, cells read and points · coldShare, each times log2 of the map's megabytes;
+///  - images, build: segments, fragments, words (pixels · layers), and for cache misses fragments ·
+///    coldShare · log2 of the image's megabytes; with lists of fragments, fragments · log2 of the
+///    fragments per pixel instead of words, and fragments · clusters;
+///  - images, sample: points, points · amount read per point.
 CostTerms costTerms(CostStage stage, const HairFeatures& hair, const ShadowSettings& settings);
 
-/// How long these settings should take on a machine.
+/// Predicted time of some settings on a machine.
 struct PredictedTime {
-  double buildMilliseconds = 0;   ///< in memory that an earlier build has left
+  double buildMilliseconds = 0;   ///< with memory allocated by an earlier build
   double sampleMilliseconds = 0;  ///< at all points of the hair
-  /// Both together: what a frame with moving hair pays.
+  /// Their sum: the cost of a frame with moving hair.
   double milliseconds() const { return buildMilliseconds + sampleMilliseconds; }
 };
 /// The sum of costTerms times the machine's coefficients, of build and of sample.
 PredictedTime predictTime(const MachineCosts& machine, const HairFeatures& hair,
                           const ShadowSettings& settings);
 
-/// Times every stage on hair (nothing less than some thousand strands tells stages apart), under a
-/// slanting light, with threadCount() threads: on the strands as they are, in random order, and on
-/// half of them with a third of their points, at several resolutions, the least of `repeats` (>= 1)
-/// rounds. Coefficients are not negative and have the least sum of squared relative errors.
+/// Times every stage on this hair (some thousand strands or more, to tell the stages apart) under
+/// an oblique light, with threadCount() threads: on the strands in their order, in random order,
+/// and on half of them with a third of their points, at several resolutions; the least of `repeats`
+/// (>= 1) rounds counts. Fits non-negative coefficients with the least sum of squared relative
+/// errors. Throws Error for no repeats, and for hair of less than 2 strands or without inner
+/// points.
 MachineCosts calibrate(StrandView strands, const Fibre& fibre, int repeats = 3);
-/// On the built-in smooth style; seconds.
+/// Calibrates on the built-in smooth style; takes seconds.
 MachineCosts calibrate();
 
 }  // namespace hair

@@ -19,6 +19,7 @@ ErrorPilot::ErrorPilot(StrandView strands, const Fibre& fibre, const LightSpace&
   require(settings.leastRays >= 8 && settings.leastRays <= settings.mostRays,
           "error pilot: ", settings.leastRays, " to ", settings.mostRays,
           " rays a point; take 8 or more, and no more at least than at most");
+  // Choose the points, and trace two independent halves of the rays until the noise is low enough.
   points_ = chooseSamplePoints(strands, settings.points, settings.seed);
   require(!points_.empty(), "error pilot: the hair has no points but roots to compare shadows at");
   const std::unique_ptr<FibreTracer> tracer = makeGridTracer(strands, fibre);
@@ -37,8 +38,8 @@ ErrorPilot::ErrorPilot(StrandView strands, const Fibre& fibre, const LightSpace&
       both_.transmittance[i] = 0.5f * (a + b);
       squares += static_cast<double>(a - b) * static_cast<double>(a - b);
     }
-    // What the halves differ by says how noisy their mean is; rays are spread evenly, so that the
-    // standard error of plain random rays is too much.
+    // Estimate the noise of the mean from the difference of the halves: rays are stratified, so
+    // that the standard error of independent rays would be too large.
     const auto noise = static_cast<float>(0.5 * std::sqrt(squares / static_cast<double>(n)));
     both_.standardError.assign(n, noise);
     if (noise <= settings.noise || rays_ >= settings.mostRays) break;
@@ -48,13 +49,14 @@ ErrorPilot::ErrorPilot(StrandView strands, const Fibre& fibre, const LightSpace&
 }
 
 PredictedError ErrorPilot::predict(const ShadowSettings& settings) {
+  // Build and sample, and free the method.
   {
     const std::unique_ptr<ShadowMethod> method = makeShadowMethod(settings);
     method->build(strands_, fibre_, light_);
     method->sampleStrands(strands_, all_);
   }
-  // SIMEX: half the rays have twice the noise, so that as much below the mean of all as the mean of
-  // halves is above it there is none.
+  // Extrapolate to no noise (SIMEX): halves of the rays have twice its variance, so subtract from
+  // the error of all rays what that of the halves exceeds it by.
   double sum = 0, squares = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     measured_[i] = all_[points_[i].point];

@@ -14,7 +14,7 @@ std::vector<LightSpace> turningLights(const LightSpace& light, const FlickerSett
   require(settings.steps >= 2 && settings.steps <= 100'000, "flicker: ", settings.steps,
           " steps, needs 2 to 100000");
   const glm::dvec3 way = light.direction();
-  // Straight down, +Y has no part across the light; X then.
+  // Take +X for a vertical light, where +Y has no component across it.
   const glm::dvec3 up = std::abs(way.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
   const glm::dvec3 axis = glm::normalize(up - glm::dot(up, way) * way);
   const glm::dvec3 side = glm::cross(axis, way);
@@ -37,6 +37,7 @@ Flicker flickerOf(std::span<const LightSpace> lights, std::size_t pointCount,
   for (std::size_t k = 0; k < n; ++k)
     transmittance(lights[k], std::span(frames).subspan(k * pointCount, pointCount));
 
+  // Measure each point against its regression line (swim) and by second differences (shimmer).
   const double middle = 0.5 * static_cast<double>(n - 1);
   double squares = 0;  // of the steps about their middle
   for (std::size_t k = 0; k < n; ++k) {
@@ -48,7 +49,7 @@ Flicker flickerOf(std::span<const LightSpace> lights, std::size_t pointCount,
     const auto at = [&](std::size_t k) { return static_cast<double>(frames[k * pointCount + p]); };
     double mean = 0, slope = 0;
     for (std::size_t k = 0; k < n; ++k) {
-      // About the first, so that what stands still has no rounding.
+      // Relative to the first, so that constant values give exactly 0.
       mean += (at(k) - at(0)) / static_cast<double>(n);
       slope += (at(k) - at(0)) * (static_cast<double>(k) - middle) / squares;
     }

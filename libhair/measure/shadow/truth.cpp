@@ -13,16 +13,16 @@ namespace hair {
 
 namespace {
 
-// What random numbers are for.
+// Random streams.
 enum Use : std::uint32_t { kStrandOrder = 1, kPointOrder, kRadius, kAngle };
 
 std::uint32_t hashOf(std::uint32_t item, Use use, std::uint32_t seed) {
   return hashWord(item ^ hashWord(use ^ hashWord(seed)));
 }
 
-/// Ray i of n from the disc around a point: Vogel's spiral, which spreads points evenly over a disc
-/// (equal areas, golden angle), moved along its radii and turned by two random numbers, so that
-/// each ray alone is uniform in the disc and the mean over the rays has no bias.
+/// Origin of ray i of n in the unit disc: Vogel's spiral, which spreads points evenly (equal areas,
+/// golden angle), shifted along its radii and rotated by two random numbers, so that each ray alone
+/// is uniform in the disc and the mean over the rays is unbiased.
 glm::vec2 placeInDisc(std::uint32_t i, std::uint32_t n, double shift, double turn) {
   constexpr double kGoldenTurn = 0.38196601125010515, kTwoPi = 6.283185307179586;
   const double radius = std::sqrt((i + shift) / n);
@@ -32,7 +32,7 @@ glm::vec2 placeInDisc(std::uint32_t i, std::uint32_t n, double shift, double tur
           static_cast<float>(radius * std::sin(angle))};
 }
 
-/// From `origin` against the light.
+/// From `origin` towards the light.
 ShadowRay rayToLight(const LightSpace& light, glm::vec3 origin, std::uint32_t strand) {
   ShadowRay ray{origin, -light.directionAt(origin), INFINITY, strand};
   if (light.atPoint()) ray.length = glm::distance(light.position(), origin);
@@ -44,8 +44,8 @@ ShadowRay rayToLight(const LightSpace& light, glm::vec3 origin, std::uint32_t st
 std::vector<SamplePoint> chooseSamplePoints(StrandView strands, std::size_t count,
                                             std::uint32_t seed) {
   validate(strands, "strands to sample", 0);
-  // All points but roots; first a random one of each strand, strands in random order, then a second
-  // one of each ...
+  // Order all points but roots: first a random one of each strand, strands in random order, then a
+  // second one of each, and so on.
   struct Candidate {
     std::uint32_t round, strandOrder, strand, point;
   };
@@ -69,7 +69,7 @@ std::vector<SamplePoint> chooseSamplePoints(StrandView strands, std::size_t coun
   std::vector<SamplePoint> points(count);
   for (std::size_t i = 0; i < count; ++i)
     points[i] = {candidates[i].strand, candidates[i].point, strands.points[candidates[i].point]};
-  // Neighbours in the hair are neighbours in memory.
+  // Sort the chosen points as in memory, where neighbours of the hair are near each other.
   std::sort(points.begin(), points.end(),
             [](const SamplePoint& a, const SamplePoint& b) { return a.point < b.point; });
   return points;
@@ -84,9 +84,9 @@ Truth exactTransmittance(const FibreTracer& tracer, const Fibre& fibre, const Li
           " rays a point is not in 2 to ", kMostRays, "; set the rays");
   require(fibre.opacity >= 0 && fibre.opacity <= 1, "truth: a fibre's opacity of ", fibre.opacity,
           " is not in 0 to 1; set the opacity");
-  // Where there is no disc all rays are one.
+  // Trace one ray where the disc is a point.
   const std::uint32_t n = settings.footprint > 0 ? settings.rays : 1;
-  // What is left of the light behind k fibres.
+  // Tabulate the light that is left behind k fibres.
   std::vector<double> left;
   double rest = 1;
   for (int k = 0; k < 4096 && rest > 1e-30; ++k, rest *= 1.0 - static_cast<double>(fibre.opacity))
@@ -98,12 +98,13 @@ Truth exactTransmittance(const FibreTracer& tracer, const Fibre& fibre, const Li
   Truth truth;
   truth.transmittance.resize(points.size());
   truth.standardError.resize(points.size());
-  // As many points at a time as have a million rays, or four.
+  // Trace in batches of points that have a million rays together, or in single points.
   const std::size_t batch = std::max<std::size_t>(1, (1u << 20) / n);
   std::vector<ShadowRay> rays(std::min(points.size(), batch) * n);
   std::vector<std::uint32_t> crossings(rays.size());
   for (std::size_t first = 0; first < points.size(); first += batch) {
     const std::size_t count = std::min(batch, points.size() - first);
+    // Make the rays.
     parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const SamplePoint& at = points[first + k];
@@ -120,7 +121,7 @@ Truth exactTransmittance(const FibreTracer& tracer, const Fibre& fibre, const Li
     tracer.countCrossings(std::span(rays).first(count * n), std::span(crossings).first(count * n));
     parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        // Counted from the first ray, so that equal rays scatter by zero and not by rounding.
+        // Find mean and variance relative to the first ray, so that equal rays have no variance.
         const std::uint32_t* const crossed = &crossings[k * n];
         const double start = leftBehind(crossed[0]);
         double sum = 0, squares = 0;
