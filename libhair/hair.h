@@ -1,8 +1,8 @@
 #pragma once
 
-// What a program that simulates and shadows hair needs, in the order that data flows. Headers of one
-// stage, of hair meshes (libhair/hair_mesh/) and of measurements (libhair/measure/) are included by
-// themselves; those that declare something under HAIR_API are public, and this one is.
+// What a program that simulates and shadows hair needs, in the order that data flows. Headers of
+// one stage, of hair meshes (libhair/hair_mesh/) and of measurements (libhair/measure/) are
+// included by themselves; those that declare something under HAIR_API are public, and this one is.
 
 #include <libhair/core/api.h>
 #include <libhair/core/error.h>

@@ -151,17 +151,9 @@ void Staging::updateHair(draw::Renderer& renderer) {
 void Staging::updateInternals() {
   scene.debug.clear();
   const Hair& hair = performance_.hair;
-  if (shown.guides) {
-    StrandSet guides;
-    guides.points.resize(hair.guides.guideCount() * hair.guides.pointsPerGuide());
-    hair.guides.copyPoints(guides.points);
-    for (std::size_t g = 1; g <= hair.guides.guideCount(); ++g)
-      guides.first.push_back(static_cast<std::uint32_t>(g * hair.guides.pointsPerGuide()));
-    scene.debug.strands(guides, draw::packColour({1.0f, 0.85f, 0.2f, 0.9f}));
-  }
-  if (shown.colliders)
-    for (const Capsule& c : performance_.pose.capsules)
-      scene.debug.capsule(c, draw::packColour({0.2f, 0.7f, 1.0f, 0.8f}));
+  for (std::size_t i = 0; i < kInsideCount; ++i)
+    if (shown.insides[i])
+      addLines(static_cast<Inside>(i), hair, performance_.settings.guides, scene.debug.lines);
   if (shown.cells && !hair.maps.empty() && !hair.maps.front().empty()) {
     const DensityMap& map = hair.maps.front();
     for (int i = map.lower.x; i <= map.upper.x; ++i)

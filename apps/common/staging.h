@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -12,8 +13,7 @@ namespace hair {
 
 /// What of the simulation's inside is drawn over the picture.
 struct InternalsShown {
-  bool guides = false;
-  bool colliders = false;
+  std::array<bool, kInsideCount> insides{};  ///< by Inside
   bool cells = false;        ///< occupied cells of the first light's map, coloured by transmittance
   bool mesh = false;         ///< lines and vertices of the hair mesh that the hair was grown in
   bool meshInside = false;   ///< those of its interior too

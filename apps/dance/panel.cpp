@@ -206,8 +206,9 @@ void drawMesh(Controls& c, const Readout& r, Requests& requests) {
 }
 
 void drawInternals(Controls& c) {
-  ImGui::Checkbox("guides", &c.internals.guides);
-  ImGui::Checkbox("body colliders", &c.internals.colliders);
+  for (std::size_t i = 0; i < kInsideCount; ++i)
+    ImGui::Checkbox(std::string(insideName(static_cast<Inside>(i))).c_str(),
+                    &c.internals.insides[i]);
   ImGui::Checkbox("occupied cells, by transmittance", &c.internals.cells);
   if (c.internals.cells && c.shadow.view == ShadowView::Off)
     ImGui::TextUnformatted("no map: self-shadowing is off");

@@ -11,6 +11,7 @@
 #include <libhair/geometry/colliders.h>
 #include <libhair/geometry/triangle_mesh.h>
 #include <libhair/light/light.h>
+#include <libhair/simulation/insides.h>
 
 namespace hair::draw {
 
@@ -54,10 +55,7 @@ struct MeshLayer {
 
 /// Coloured lines and dots for what is usually hidden. Colours as in HairLayer, A = opacity.
 struct DebugLayer {
-  struct Vertex {
-    glm::vec3 position;
-    std::uint32_t colour;
-  };
+  using Vertex = LineVertex;
   std::vector<Vertex> lines;   ///< [2·lineCount]
   std::vector<Vertex> points;  ///< [dotCount]
   float pointSize = 3;         ///< pixels
@@ -65,9 +63,6 @@ struct DebugLayer {
 
   void clear() { lines.clear(), points.clear(); }
   void line(glm::vec3 a, glm::vec3 b, std::uint32_t colour);
-  void strands(StrandView strands, std::uint32_t colour);
-  void capsule(const Capsule& capsule, std::uint32_t colour);
-  void box(glm::vec3 centre, glm::vec3 size, std::uint32_t colour);
 };
 
 /// Bytes of a colour from components in [0, 1], as HairLayer::colours wants them.

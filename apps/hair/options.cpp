@@ -128,8 +128,11 @@ void addRender(CLI::App& app, Run& run) {
   command->add_option("--height", options->height, "pixels; default 960")
       ->check(CLI::Range(16, 16384));
   command->add_flag("--side-by-side", options->sideBySide, "left half without self-shadowing");
-  command->add_flag("--show-guides", options->shown.guides, "draw the simulated strands");
-  command->add_flag("--show-colliders", options->shown.colliders, "draw the body's capsules");
+  for (std::size_t i = 0; i < kInsideCount; ++i) {
+    std::string option = text("--show-", insideName(static_cast<Inside>(i)));
+    std::replace(option.begin(), option.end(), ' ', '-');
+    command->add_flag(option, options->shown.insides[i], insideMeaning(static_cast<Inside>(i)));
+  }
   command->add_flag("--show-mesh", options->shown.mesh,
                     "draw the hair mesh that the hair was grown in: scalp green, tips purple");
   command->add_flag("--show-mesh-inside", options->shown.meshInside, "and its interior, red");

@@ -157,6 +157,11 @@ seconds, None: the simulation's own time. on_frame: called with i after each fra
         "(metres), kinetic_energy (joules), speed_max (m/s).");
   c.def("state_hash", &S::stateHash,
         "16 hexadecimal digits over guides and drawn hair; the same on every machine.");
+  c.def("lines", &S::lines, py::arg("inside"),
+        R"(Lines of the hair's inside as it stands, to be drawn: (positions, colours).
+
+inside: "guides", "tension", "guide frames", "contacts", "push", "colliders" or "bricks". positions
+is (2 n, 3) float32, metres, two ends a line; colours (2 n, 4) uint8 sRGB and opacity.)");
   c.def("__repr__", &S::repr);
 }
 

@@ -6,6 +6,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/state_hash.h>
+#include <libhair/simulation/insides.h>
 
 #include "choices.h"
 #include "topics.h"
@@ -292,6 +293,27 @@ py::dict Simulation::stats() {
 std::string Simulation::stateHash() const {
   requireIdle(busy_, "simulation");
   return hexText(simulation_->stateHash());
+}
+
+std::pair<py::array, py::array> Simulation::lines(const std::string& inside) const {
+  std::string names;
+  for (std::size_t i = 0; i < kInsideCount; ++i) {
+    const auto what = static_cast<Inside>(i);
+    names += text(i > 0 ? ", " : "", insideName(what));
+    if (insideName(what) != inside) continue;
+    std::vector<LineVertex> ends;
+    addLines(what, idleHair(), settings.guides, ends);
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> colours;
+    for (const LineVertex& end : ends) {
+      positions.push_back(end.position);
+      colours.push_back(end.colour);
+    }
+    const auto count = static_cast<py::ssize_t>(ends.size());
+    return {arrayOf<float>(std::move(positions), {count, 3}),
+            arrayOf<std::uint8_t>(std::move(colours), {count, 4})};
+  }
+  throw Error(text("lines: there is no '", inside, "'; there are ", names));
 }
 
 // Whoever prints things to look for a fault wants no other one.

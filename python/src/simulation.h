@@ -65,6 +65,8 @@ class Simulation {
   py::dict profile() const;
   py::dict stats();
   std::string stateHash() const;
+  /// Positions and colours of the lines of an Inside, by its name.
+  std::pair<py::array, py::array> lines(const std::string& inside) const;
 
   /// The hair itself; throws where a call is at work on it.
   const Hair& idleHair() const;

@@ -407,7 +407,10 @@ TEST_F(Drawing, AnyPartOfAMeshMayChangeAlone) {
 
 TEST_F(Drawing, DebugLinesShowThroughTheHead) {
   addHead();
-  scene.debug.capsule({{0, 0.25f, 0}, {0, 0.35f, 0}, 0.05f}, packColour({1, 0, 0, 1}));
+  for (int i = -5; i <= 5; ++i) {
+    const float x = 0.01f * static_cast<float>(i);
+    scene.debug.line({x, 0.25f, 0}, {x, 0.35f, 0}, packColour({1, 0, 0, 1}));
+  }
   EXPECT_GT(redPixels(drawn()), 50);
   scene.debug.onTop = false;
   EXPECT_EQ(redPixels(drawn()), 0);
