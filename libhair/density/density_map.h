@@ -20,8 +20,7 @@ enum class Deposit {
   /// Every segment cut where it leaves a column of cells, each piece shared between the two slices
   /// that are nearest to its middle: as accurate as Segments for a quarter of its cost.
   Columns,
-  Segments,   ///< every segment adds to each cell that it crosses what lies inside
-  Trilinear,  ///< samples of every segment, spread over the eight nearest cells
+  Segments,  ///< every segment adds to each cell that it crosses what lies inside
 };
 
 /// How transmittance is read at a point.

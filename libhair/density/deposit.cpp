@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
-#include <libhair/density/cell_batch.h>
 #include <libhair/density/cell_writer.h>
 #include <libhair/density/deposit_kernels.h>
 #include <libhair/density/extinction.h>
@@ -13,62 +12,21 @@ namespace hair {
 
 namespace {
 
-/// Spreads a count over the eight cells whose centres surround u. Halved, halved and halved again
-/// in integers: the parts always sum to the count.
-template <class Writer>
-void spread(glm::vec3 u, std::uint32_t count, Writer& writer) {
-  const glm::vec3 v = u - 0.5f;
-  const glm::ivec3 c = floorToCell(v);
-  const glm::vec3 f = v - glm::vec3(c);
-  const auto upperPart = [](std::uint32_t whole, float part) {
-    return std::min(whole, toCount(static_cast<float>(whole) * part + 0.5f));
-  };
-  const std::uint32_t x1 = upperPart(count, f.x);
-  for (int x = 0; x < 2; ++x) {
-    const std::uint32_t nx = x ? x1 : count - x1;
-    const std::uint32_t z1 = upperPart(nx, f.z);
-    for (int z = 0; z < 2; ++z) {
-      const std::uint32_t nz = z ? z1 : nx - z1;
-      const std::uint32_t y1 = upperPart(nz, f.y);
-      writer.add(c + glm::ivec3(x, 0, z), nz - y1);
-      writer.add(c + glm::ivec3(x, 1, z), y1);
-    }
-  }
-}
-
-/// Calls visit(u, cell) for the points of one strand in turn, and tells the writer their bounds,
-/// widened by `margin` cells.
-template <class Writer, class Visit>
-void forCells(std::span<const glm::vec3> points, float margin, const CellFrame& frame,
-              Writer& writer, Visit&& visit) {
-  if (points.empty()) return;
-  CellBatch batch;
-  Bounds box;
-  for (std::size_t begin = 0; begin < points.size(); begin += CellBatch::kSize) {
-    const std::size_t count = std::min(points.size() - begin, CellBatch::kSize);
-    batch.fill(frame, points.subspan(begin, count), glm::vec3(0));
-    for (std::size_t l = 0; l < count; ++l) {
-      const glm::vec3 u(batch.x[l], batch.y[l], batch.z[l]);
-      box.extend(u);
-      visit(u, glm::ivec3(batch.i[l], batch.j[l], batch.k[l]));
-    }
-  }
-  writer.extend(floorToCell(box.lower - margin), floorToCell(box.upper + margin));
-}
-
 template <class Writer>
 void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, float longest,
                      const CellFrame& frame, Writer& writer) {
-  glm::vec3 a(0);
-  glm::ivec3 at(0);
+  if (points.empty()) return;
+  glm::vec3 a = frame.cellCoordinates(points.front());
+  glm::ivec3 at = floorToCell(a);
+  Bounds box;
+  box.extend(a);
   std::uint32_t pending = 0;
   Rounder rounder;
-  bool first = true;
-  forCells(points, 0.0f, frame, writer, [&](glm::vec3 b, glm::ivec3 cell) {
-    if (first) {
-      at = cell;
-      first = false;
-    } else if (longerThan(longest, a, b)) {
+  for (const glm::vec3 p : points.subspan(1)) {
+    const glm::vec3 b = frame.cellCoordinates(p);
+    const glm::ivec3 cell = floorToCell(b);
+    box.extend(b);
+    if (longerThan(longest, a, b)) {
       writer.add(at, addSaturating(pending, rounder.take(scale.amount(a, b))));
       pending = 0;
       at = cell;
@@ -76,34 +34,9 @@ void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, floa
       depositSegment(a, b, rounder.take(scale.amount(a, b)), at, cell, pending, writer);
     }
     a = b;
-  });
+  }
   writer.add(at, pending);
-}
-
-template <class Writer>
-void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, float longest,
-                      const CellFrame& frame, Writer& writer) {
-  glm::vec3 a(0);
-  Rounder rounder;
-  bool first = true;
-  forCells(points, 0.5f, frame, writer, [&](glm::vec3 b, glm::ivec3) {
-    const glm::vec3 d = b - a;
-    // One sample a cell: the spread is as wide as that.
-    const float way = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    const int samples = first ? 0 : static_cast<int>(std::min(way, longest)) + 1;
-    const float each = 1.0f / static_cast<float>(std::max(samples, 1));
-    for (int s = 0; s < samples; ++s)
-      spread(a + d * ((static_cast<float>(s) + 0.5f) * each),
-             rounder.take(scale.amount(a, b) * each), writer);
-    a = b;
-    first = false;
-  });
-}
-
-/// The width over which a fibre is smeared out, metres. Trilinear spreads it by another half of a
-/// cell: its peaks are as low as those of fibres that fill one and a half.
-float smearedOver(const DensityMapSettings& settings) {
-  return settings.deposit == Deposit::Trilinear ? 1.5f * settings.cellSize : settings.cellSize;
+  writer.extend(floorToCell(box.lower), floorToCell(box.upper));
 }
 
 /// Metres of strand that a point stands for: the mean over at most 256 of the strands that are
@@ -140,8 +73,6 @@ std::size_t costOfPoint(Deposit how) {
       return 12;
     case Deposit::Segments:
       return 35;
-    case Deposit::Trilinear:
-      return 90;
   }
   return 1;
 }
@@ -164,11 +95,6 @@ void depositRange(StrandView strands, StrandRange range, const SegmentScale& sca
         depositSegments(strands.strand(r * range.stride), weighted(scale, range, r), longest,
                         scale.frame, writer);
       return;
-    case Deposit::Trilinear:
-      for (std::size_t r = range.begin; r < range.end; ++r)
-        depositTrilinear(strands.strand(r * range.stride), weighted(scale, range, r), longest,
-                         scale.frame, writer);
-      return;
   }
 }
 
@@ -178,9 +104,9 @@ void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t 
   const float ds = settings.cellSize;
   const bool length = settings.quantity == Quantity::Length;
   // Deviation: extinctionOf, not -ln(1 - opacity).
-  const float perStrand =
-      length ? fibre.hairsPerStrand * ds
-             : fibre.width * fibre.hairsPerStrand * extinctionOf(fibre, smearedOver(settings)) / ds;
+  const float perStrand = length
+                              ? fibre.hairsPerStrand * ds
+                              : fibre.width * fibre.hairsPerStrand * extinctionOf(fibre, ds) / ds;
   const SegmentScale scale{perStrand * static_cast<float>(stride) / kQuantum, !length, map.frame};
   const std::size_t read = (strands.strandCount() + stride - 1) / stride;
   const std::size_t nanoseconds = strands.pointCount() / stride * costOfPoint(settings.deposit);
@@ -215,8 +141,7 @@ void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint3
                       ? pointQuantum(strands, strandStride, fibre, settings)
                       : kQuantum;
   }
-  map.fibreShadow =
-      std::max(map.fibreShadow, fibre.width * extinctionOf(fibre, smearedOver(settings)));
+  map.fibreShadow = std::max(map.fibreShadow, fibre.width * extinctionOf(fibre, settings.cellSize));
   run(strands, fibre, map, strandStride, weights);
 }
 

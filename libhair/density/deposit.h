@@ -15,11 +15,10 @@ namespace HAIR_API hair {
 ///
 /// A segment of length l at angle theta to the light, of width w and opacity alpha, adds
 ///
-///   l · sin(theta) · w · hairsPerStrand · extinctionOf(fibre, ds) / ds²      (Trilinear: of 1.5
-///   ds)
+///   l · sin(theta) · w · hairsPerStrand · extinctionOf(fibre, ds) / ds²
 ///
-/// to the optical depth of its column (Columns, Segments, Trilinear), or l ·
-/// hairsPerStrand metres (Quantity::Length, parallel light only). Deposit::Points adds one count
+/// to the optical depth of its column (Columns, Segments), or l · hairsPerStrand metres
+/// (Quantity::Length, parallel light only). Deposit::Points adds one count
 /// per point instead, each worth f · ds. Only every strandStride-th strand is read, and counts for
 /// that many (1 to 2^30 - 1).
 ///

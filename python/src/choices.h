@@ -53,8 +53,7 @@ HAIR_CHOICES(RepulsionKind, "RepulsionKind",
 HAIR_CHOICES(Deposit, "Deposit",
              {{"points", Deposit::Points},
               {"columns", Deposit::Columns},
-              {"segments", Deposit::Segments},
-              {"trilinear", Deposit::Trilinear}});
+              {"segments", Deposit::Segments}});
 HAIR_CHOICES(Filter, "Filter",
              {{"none", Filter::None},
               {"paper", Filter::Paper},

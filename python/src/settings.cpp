@@ -107,7 +107,7 @@ void bindShadowSettings(py::module_& m) {
       .field("cells", &DensityMapSettings::cells, "Along each axis, 2 to 1024.")
       .field("cell_size", &DensityMapSettings::cellSize, "Metres.")
       .field("deposit", &DensityMapSettings::deposit,
-             "How strands are written: \"columns\", \"points\", \"segments\" or \"trilinear\".")
+             "How strands are written: \"columns\", \"points\" or \"segments\".")
       .field("filter", &DensityMapSettings::filter,
              "How it is read: \"centred\", \"footprint\", \"paper\" or \"none\".")
       .field("footprint", &DensityMapSettings::footprint,

@@ -43,8 +43,7 @@ TEST(Deposit, LosesNothingWhereAllThreadsMeetInOneCell) {
 // Metres of optical depth that a fibre's metre is worth: its width times what makes the light that
 // it leaves of a cell, 1 - opacity · width / cell, come out where it crosses one.
 double coveredDepth(double width, double opacity, const DensityMapSettings& settings) {
-  const double cell =
-      double{settings.cellSize} * (settings.deposit == Deposit::Trilinear ? 1.5 : 1.0);
+  const auto cell = double{settings.cellSize};
   return -std::log(1 - opacity * width / cell) * cell;
 }
 
@@ -52,7 +51,7 @@ TEST(Deposit, ConservesOpticalDepthAndLength) {
   const StrandSet hair = headOfHair(300, 25);
   const Fibre fibre{80e-6f, 0.5f, 20.0f};
   for (Quantity quantity : {Quantity::OpticalDepth, Quantity::Length})
-    for (Deposit d : {Deposit::Columns, Deposit::Segments, Deposit::Trilinear})
+    for (Deposit d : {Deposit::Columns, Deposit::Segments})
       for (glm::vec3 direction : {kSlanted, glm::vec3(0, 1, 0)}) {
         DensityMapSettings settings;
         settings.deposit = d;

@@ -72,8 +72,7 @@ inline double total(const DensityMap& map) {
   return sum * static_cast<double>(map.quantum);
 }
 
-inline constexpr Deposit kDeposits[] = {Deposit::Points, Deposit::Columns, Deposit::Segments,
-                                        Deposit::Trilinear};
+inline constexpr Deposit kDeposits[] = {Deposit::Points, Deposit::Columns, Deposit::Segments};
 inline constexpr Filter kFilters[] = {Filter::None, Filter::Paper, Filter::Centred,
                                       Filter::Footprint};
 

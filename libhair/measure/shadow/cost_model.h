@@ -17,7 +17,6 @@ enum class CostStage {
   DepositPoints,         ///< density map, whole build with that deposit
   DepositColumns,        ///< the same with Deposit::Columns
   DepositSegments,       ///< the same with Deposit::Segments
-  DepositTrilinear,      ///< the same with Deposit::Trilinear
   SampleCells,           ///< density map, filters of one or eight cells
   SampleFootprint,       ///< density map, Filter::Footprint
   ShadowMapBuild,        ///< shadow map
@@ -59,9 +58,8 @@ struct CostStages {
 CostStages costStages(const ShadowSettings& settings);
 
 /// What a stage does with this hair:
-///  - density map, build: segments (points), cells crossed (samples for Trilinear), places of
-///  bricks
-///    in the map's table, cells of bricks that hold hair; and what caches miss: cells crossed ·
+///  - density map, build: segments (points), cells crossed, places of bricks in the
+///    map's table, cells of bricks that hold hair; and what caches miss: cells crossed ·
 ///    coldShare · log2 of its megabytes;
 ///  - density map, sample: points, cells read (rows of bricks for Footprint), points · log2 of the
 ///    map's megabytes: what caches miss;
