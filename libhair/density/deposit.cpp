@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <libhair/core/error.h>
 #include <libhair/density/cell_writer.h>
 #include <libhair/density/deposit_kernels.h>
-#include <libhair/density/extinction.h>
 
 namespace hair {
 
@@ -39,28 +39,16 @@ void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, floa
   writer.extend(floorToCell(box.lower), floorToCell(box.upper));
 }
 
-/// Metres of strand that a point stands for: the mean over at most 256 of the strands that are
-/// read, every stride-th.
-float lengthOfPoint(StrandView strands, std::uint32_t stride) {
-  const std::size_t read = (strands.strandCount() + stride - 1) / stride;
-  const std::size_t step = (read + 255) / 256 * stride;
-  std::size_t count = 0;
-  for (std::size_t s = 0; s < strands.strandCount(); s += step) count += strands.strand(s).size();
-  return count > 0 ? static_cast<float>(sumOfLengths(strands, step) / static_cast<double>(count))
-                   : 0.0f;
+float toFloat(double amount) {
+  return static_cast<float>(std::min(amount, double{std::numeric_limits<float>::max()}));
 }
 
-/// What one point of Deposit::Points is worth: f · ds, or metres.
-float pointQuantum(StrandView strands, std::uint32_t stride, const Fibre& fibre,
-                   const DensityMapSettings& settings) {
-  const float ds = settings.cellSize;
-  if (settings.quantity == Quantity::Length)
-    return lengthOfPoint(strands, stride) * fibre.hairsPerStrand;
-  if (settings.pointExtinction > 0) return settings.pointExtinction * ds;
-  // Over all directions the sine of the angle to the light is pi / 4 on average.
-  constexpr float kMeanSine = 0.785398163f;
-  return lengthOfPoint(strands, stride) * kMeanSine * fibre.width * fibre.hairsPerStrand *
-         fibre.opacity / (ds * ds);
+/// What one point of Deposit::Points is worth.
+float pointQuantum(StrandView strands, std::uint32_t stride, const SegmentMeasure& measure) {
+  if (measure.perPoint > 0) return measure.perPoint;
+  // Over all directions the sine of the angle to an axis is pi / 4 on average.
+  const float part = measure.of == SegmentMeasure::Of::Length ? 1.0f : 0.785398163f;
+  return metresPerPoint(strands, stride) * part * toFloat(measure.perMetre);
 }
 
 /// How long one thread takes for a point, in nanoseconds, roughly: what decides whether there is
@@ -79,11 +67,11 @@ std::size_t costOfPoint(Deposit how) {
 
 SegmentScale weighted(const SegmentScale& scale, const StrandRange& range, std::size_t r) {
   const float weight = range.weights.empty() ? 1.0f : range.weights[r * range.stride];
-  return {scale.perCell * weight, scale.acrossOnly, scale.frame};
+  return {scale.of, scale.perCell * weight, scale.frame};
 }
 
 void depositRange(StrandView strands, StrandRange range, const SegmentScale& scale,
-                  const DensityMapSettings& settings, CellWriter& writer) {
+                  const DensityGridSettings& settings, CellWriter& writer) {
   const auto longest = static_cast<float>(settings.cells);
   switch (settings.deposit) {
     case Deposit::Points:
@@ -98,51 +86,47 @@ void depositRange(StrandView strands, StrandRange range, const SegmentScale& sca
   }
 }
 
-void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t stride,
-         std::span<const float> weights) {
-  const DensityMapSettings& settings = map.settings;
-  const float ds = settings.cellSize;
-  const bool length = settings.quantity == Quantity::Length;
-  // Deviation: extinctionOf, not -ln(1 - opacity).
-  const float perStrand = length
-                              ? fibre.hairsPerStrand * ds
-                              : fibre.width * fibre.hairsPerStrand * extinctionOf(fibre, ds) / ds;
-  const SegmentScale scale{perStrand * static_cast<float>(stride) / kQuantum, !length, map.frame};
-  const std::size_t read = (strands.strandCount() + stride - 1) / stride;
-  const std::size_t nanoseconds = strands.pointCount() / stride * costOfPoint(settings.deposit);
-  writeCells(read, 32, nanoseconds, map,
-             [&](CellWriter& writer, std::size_t begin, std::size_t end) {
-               depositRange(strands, {begin, end, stride, weights}, scale, settings, writer);
-             });
-}
-
 }  // namespace
 
-void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t strandStride,
-             std::span<const float> weights) {
-  require(map.bricks.valid(), "deposit: clear() the density map first");
+float metresPerPoint(StrandView strands, std::uint32_t strandStride) {
+  const std::size_t read = (strands.strandCount() + strandStride - 1) / strandStride;
+  const std::size_t step = (read + 255) / 256 * strandStride;
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < strands.strandCount(); s += step) count += strands.strand(s).size();
+  return count > 0 ? static_cast<float>(sumOfLengths(strands, step) / static_cast<double>(count))
+                   : 0.0f;
+}
+
+void deposit(StrandView strands, const SegmentMeasure& measure, DensityGrid& grid,
+             std::uint32_t strandStride, std::span<const float> weights) {
+  require(grid.bricks.valid(), "deposit: clear() the density grid first");
   require(strandStride > 0 && strandStride < 1u << 30, "deposit: strand stride ", strandStride,
           " is not in 1 to 2^30 - 1");
-  require(fibre.width >= 0 && fibre.opacity >= 0 && fibre.hairsPerStrand >= 0 &&
-              std::isfinite(fibre.width * fibre.opacity * fibre.hairsPerStrand),
-          "deposit: fibre width ", fibre.width, " m, opacity ", fibre.opacity, " or ",
-          fibre.hairsPerStrand, " hairs a strand is negative or not finite");
-  const DensityMapSettings& settings = map.settings;
-  require(
-      settings.quantity == Quantity::OpticalDepth || !map.light.atPoint(),
-      "deposit: lengths are not told apart under a light at a point, whose cells differ in size; "
-      "give the density map a parallel light");
+  require(measure.perMetre >= 0 && std::isfinite(measure.perMetre) && measure.perPoint >= 0 &&
+              std::isfinite(measure.perPoint),
+          "deposit: an amount of ", measure.perMetre, " a metre or ", measure.perPoint,
+          " a point is negative or not finite");
   require(weights.empty() || weights.size() == strands.strandCount(),
           "deposit: ", strands.strandCount(), " strands but ", weights.size(), " weights");
   if (strands.pointCount() == 0) return;
-  if (map.empty()) {
-    map.frame = makeCellFrame(map.light, strands.points.front(), settings.cellSize, settings.cells);
-    map.quantum = settings.deposit == Deposit::Points
-                      ? pointQuantum(strands, strandStride, fibre, settings)
-                      : kQuantum;
+  const DensityGridSettings& settings = grid.settings;
+  if (grid.empty()) {
+    grid.frame =
+        makeCellFrame(grid.space, strands.points.front(), settings.cellSize, settings.cells);
+    grid.quantum = settings.deposit == Deposit::Points
+                       ? pointQuantum(strands, strandStride, measure)
+                       : kQuantum;
   }
-  map.fibreShadow = std::max(map.fibreShadow, fibre.width * extinctionOf(fibre, settings.cellSize));
-  run(strands, fibre, map, strandStride, weights);
+  const float perCell = toFloat(measure.perMetre * static_cast<double>(settings.cellSize));
+  const SegmentScale scale{measure.of, perCell * static_cast<float>(strandStride) / kQuantum,
+                           grid.frame};
+  const std::size_t read = (strands.strandCount() + strandStride - 1) / strandStride;
+  const std::size_t nanoseconds =
+      strands.pointCount() / strandStride * costOfPoint(settings.deposit);
+  writeCells(read, 32, nanoseconds, grid,
+             [&](CellWriter& writer, std::size_t begin, std::size_t end) {
+               depositRange(strands, {begin, end, strandStride, weights}, scale, settings, writer);
+             });
 }
 
 }  // namespace hair

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <libhair/density/density_map.h>
+#include <libhair/shadow/density_map.h>
 
 namespace hair {
 

@@ -1,7 +1,7 @@
 #include <libhair/simulation/stages.h>
 
 #include <libhair/core/error.h>
-#include <libhair/density/deposit.h>
+#include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/occlude.h>
 #include <libhair/shadow/transmittance.h>
@@ -36,8 +36,7 @@ StrandView countedStrands(const RepulsionSettings& settings, Hair& hair) {
 void fillMap(const DrawnHair& drawn, const Light& light, const FrameSettings& settings,
              const Hair& hair, DensityMap& map) {
   clear(map, mapAt(hair.wisps.drawn.level, settings.map), lightSpaceOf(light, hair.pivot()));
-  deposit(drawn.strands, drawn.fibre, map, 1, drawn.weights);
-  map.fibreShadow *= drawn.ownFibres;
+  deposit(drawn, map);
   if (!settings.bodyShadow) return;
   if (hair.head) occlude(*hair.head, hair.worldFromHead, map);
   occlude(hair.capsules, map);
@@ -100,7 +99,7 @@ void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
       fillMap(drawn, settings.lights[l], settings, hair, map);
     }
     {
-      const auto cells = static_cast<std::int64_t>(map.bricks.size() * brick::kCells);
+      const auto cells = static_cast<std::int64_t>(map.grid.bricks.size() * brick::kCells);
       const StageTimer timer(profile, Stage::Transmittance, cells);
       computeTransmittance(map);
     }

@@ -9,7 +9,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
-#include <libhair/density/deposit.h>
+#include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/transmittance.h>
 #include <libhair/wisps/bind.h>
@@ -66,7 +66,7 @@ struct LitCurtain {
     DensityMapSettings settings;
     settings.deposit = how;
     clear(map, settings, makeLightSpace({0, 0, -1}));
-    deposit(wisps.strands(), wisps.fibre(), map, 1, wisps.drawn.weights);
+    deposit(wisps.drawnHair(), map);
     computeTransmittance(map);
     std::vector<float> t(behind.size());
     sampleTransmittance(map, behind, t);
@@ -75,10 +75,11 @@ struct LitCurtain {
   // Sum over the map, of optical depth.
   double depth() const {
     double sum = 0;
-    for (int i = map.lower.x; i <= map.upper.x; ++i)
-      for (int j = map.lower.y; j <= map.upper.y; ++j)
-        for (int k = map.lower.z; k <= map.upper.z; ++k) sum += map.count({i, j, k});
-    return sum * static_cast<double>(map.quantum);
+    const DensityGrid& grid = map.grid;
+    for (int i = grid.lower.x; i <= grid.upper.x; ++i)
+      for (int j = grid.lower.y; j <= grid.upper.y; ++j)
+        for (int k = grid.lower.z; k <= grid.upper.z; ++k) sum += grid.count({i, j, k});
+    return sum * static_cast<double>(grid.quantum);
   }
 };
 
@@ -256,7 +257,7 @@ TEST(Level, AStrandOfHalfTheWidthDarkensHalfAsMuch) {
         DensityMapSettings settings;
         settings.deposit = how;
         clear(lit.map, settings, makeLightSpace({0, 0, -1}));
-        deposit(strands, fibre, lit.map, 1, weights);
+        deposit(DrawnHair{strands, fibre, weights}, lit.map);
         return lit.depth();
       };
       const double one = depthOf(std::vector<float>{1, 0}), two = depthOf(std::vector<float>{0, 1});
