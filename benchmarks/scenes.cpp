@@ -66,7 +66,8 @@ Counts Scene::counts() const {
   counts.strands = static_cast<double>(subject->groom.strandCount());
   counts.points = static_cast<double>(subject->groom.pointCount());
   counts.guidePoints = static_cast<double>(subject->groom.guidePoints.size());
-  for (const DensityMap& map : hair.maps) counts.bricks += static_cast<double>(map.bricks.size());
+  for (const DensityMap& map : hair.maps)
+    counts.bricks += static_cast<double>(map.grid.bricks.size());
   counts.countedPoints = counts.points / performance.settings.repulsion.strandStride;
   counts.countedBricks = static_cast<double>(hair.repulsion.density.bricks.size());
   return counts;

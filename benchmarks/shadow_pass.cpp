@@ -1,7 +1,7 @@
 #include <benchmarks/shadow_pass.h>
 
-#include <libhair/density/deposit.h>
 #include <libhair/light/light.h>
+#include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/transmittance.h>
 
@@ -23,7 +23,7 @@ DensityMapSettings paperSettings(const Scene& scene, Filter filter) {
   DensityMap map;
   clear(map, settings, lightOf(scene));
   deposit(scene.strands, scene.subject->groom.fibre, map);
-  settings.pointExtinction = map.quantum / settings.cellSize;
+  settings.pointExtinction = map.grid.quantum / settings.cellSize;
   return settings;
 }
 
@@ -49,7 +49,7 @@ double ShadowPass::leastBytes() const {
   Counts counts;
   counts.strands = static_cast<double>(strands_.strandCount());
   counts.points = static_cast<double>(strands_.pointCount());
-  counts.bricks = static_cast<double>(map.bricks.size());
+  counts.bricks = static_cast<double>(map.grid.bricks.size());
   return bench::leastBytes(Stage::Deposit, Stage::Filter, counts);
 }
 

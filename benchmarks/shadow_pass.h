@@ -4,7 +4,7 @@
 
 #include <benchmarks/floor.h>
 #include <benchmarks/scenes.h>
-#include <libhair/density/density_map.h>
+#include <libhair/shadow/density_map.h>
 #include <libhair/shadow/literal.h>
 
 namespace hair::bench {

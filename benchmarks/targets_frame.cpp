@@ -34,7 +34,7 @@ double bytesBesideTheMaps(Scene& scene) {
     const Groom groom = std::move(scene.subject->groom);
     Hair hair = std::move(scene.performance.hair);
     hair.maps = std::vector<DensityMap>();
-    hair.repulsion.density = DensityMap();
+    hair.repulsion.density = DensityGrid();
     held = heapBytes();
   }
   return held - heapBytes();

@@ -156,12 +156,13 @@ void Staging::updateInternals() {
       addLines(static_cast<Inside>(i), hair, performance_.settings.guides, scene.debug.lines);
   if (shown.cells && !hair.maps.empty() && !hair.maps.front().empty()) {
     const DensityMap& map = hair.maps.front();
-    for (int i = map.lower.x; i <= map.upper.x; ++i)
-      for (int k = map.lower.z; k <= map.upper.z; ++k)
-        for (int j = map.lower.y; j <= map.upper.y; ++j) {
+    const DensityGrid& grid = map.grid;
+    for (int i = grid.lower.x; i <= grid.upper.x; ++i)
+      for (int k = grid.lower.z; k <= grid.upper.z; ++k)
+        for (int j = grid.lower.y; j <= grid.upper.y; ++j) {
           const glm::ivec3 cell(i, j, k);
-          if (map.density(cell) <= 0) continue;
-          const glm::vec3 centre = map.cellCentre(cell);
+          if (grid.density(cell) <= 0) continue;
+          const glm::vec3 centre = grid.cellCentre(cell);
           float t = 0;
           sampleTransmittance(map, {&centre, 1}, {&t, 1});
           scene.debug.points.push_back(

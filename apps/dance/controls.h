@@ -9,10 +9,10 @@
 
 #include <apps/common/staging.h>
 #include <apps/dance/history.h>
-#include <libhair/density/density_map.h>
 #include <libhair/model/styles.h>
 #include <libhair/repulsion/repulsion.h>
 #include <libhair/shade/kajiya_kay.h>
+#include <libhair/shadow/density_map.h>
 
 namespace hair {
 

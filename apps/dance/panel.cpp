@@ -147,8 +147,7 @@ void drawShadow(Controls& c, const Readout& r) {
   choose<Deposit>("deposit", c.shadow.deposit,
                   {{Deposit::Points, "points (paper)"},
                    {Deposit::Columns, "columns"},
-                   {Deposit::Segments, "segments"},
-                   {Deposit::Trilinear, "trilinear"}});
+                   {Deposit::Segments, "segments"}});
   choose<Filter>("filter", c.shadow.filter,
                  {{Filter::None, "none"},
                   {Filter::Paper, "paper"},

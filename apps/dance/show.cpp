@@ -163,7 +163,7 @@ void Show::report(Readout& r) const {
   r.saturatedCells = 0;
   r.aliased = false;
   for (const DensityMap& map : hair.maps) {
-    r.saturatedCells += map.saturatedCells;
+    r.saturatedCells += map.grid.saturatedCells;
     r.aliased |= map.aliased();
   }
   r.cellSize = performance.settings.map.cellSize;

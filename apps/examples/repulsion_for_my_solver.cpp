@@ -1,5 +1,5 @@
-// Keeps hair apart in somebody else's solver: the library's density map says how crowded each place
-// is and which way is out of it; the solver does the rest.
+// Keeps hair apart in somebody else's solver: the library's density grid says how crowded each
+// place is and which way is out of it; the solver does the rest.
 //
 //   example_repulsion_for_my_solver
 //
@@ -31,7 +31,7 @@ int main() {
   hair::RepulsionSettings settings;
   settings.cellSize = 0.01f;
   settings.strandStride = 1;  // count every strand
-  hair::DensityMap density;
+  hair::DensityGrid density;
 
   const auto crowding = [&] {  // of the mean point
     float sum = 0;

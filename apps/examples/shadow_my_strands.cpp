@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <libhair/density/deposit.h>
+#include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/transmittance.h>
 

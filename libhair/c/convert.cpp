@@ -91,7 +91,7 @@ void forFields(C& c, Own& own, Copy copy) {
   copy(c.body_shadow, own.bodyShadow, "body_shadow");
   copy(c.map_cells, own.map.cells, "map_cells");
   copy(c.map_cell_size, own.map.cellSize, "map_cell_size");
-  copy(c.map_deposit, own.map.deposit, "map_deposit", Deposit::Trilinear);
+  copy(c.map_deposit, own.map.deposit, "map_deposit", Deposit::Segments);
   copy(c.map_filter, own.map.filter, "map_filter", Filter::Footprint);
   copy(c.map_footprint, own.map.footprint, "map_footprint");
 
@@ -130,7 +130,7 @@ DensityMapSettings mapSettings(const hair_map& map) {
   DensityMapSettings settings;
   settings.cells = countOf(map.cells, "hair_map: cells");
   settings.cellSize = map.cell_size;
-  settings.deposit = choiceOf(map.deposit, Deposit::Trilinear, "hair_map: deposit");
+  settings.deposit = choiceOf(map.deposit, Deposit::Segments, "hair_map: deposit");
   settings.filter = choiceOf(map.filter, Filter::Footprint, "hair_map: filter");
   settings.footprint = map.footprint;
   return settings;

@@ -1,6 +1,6 @@
 #include <libhair/c/boundary.h>
 #include <libhair/c/convert.h>
-#include <libhair/density/deposit.h>
+#include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/transmittance.h>
 

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
-#include <libhair/light/light_space.h>
+#include <libhair/density/cell_frame.h>
 
 namespace HAIR_API hair {
 

@@ -45,7 +45,7 @@ void CellWriter::flush() {
 
 void CellWriter::addAlone(glm::ivec3 cell, std::uint32_t count) {
   if (count == 0) return;
-  const glm::ivec3 wrapped = map_.wrap(cell);
+  const glm::ivec3 wrapped = grid_.wrap(cell);
   const std::uint32_t slot = store_.make(store_.place(wrapped));
   std::uint32_t& sum = store_.cells(slot)[brick::offset(wrapped)];
   sum = addSaturating(sum, count);
@@ -53,21 +53,20 @@ void CellWriter::addAlone(glm::ivec3 cell, std::uint32_t count) {
 }
 
 void detail::writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds,
-                        DensityMap& map, WriteRange write, void* context) {
-  map.lit = false;
+                        DensityGrid& grid, WriteRange write, void* context) {
   const std::size_t blocks = (count + grain - 1) / grain;
   const std::size_t workers =
       std::max<std::size_t>(std::min({blocks, static_cast<std::size_t>(threadCount()),
-                                      nanoseconds / worthAThread(map.bricks)}),
+                                      nanoseconds / worthAThread(grid.bricks)}),
                             1);
-  while (map.workers.size() + 1 < workers) map.workers.emplace_back(map.settings.cells);
+  while (grid.workers.size() + 1 < workers) grid.workers.emplace_back(grid.settings.cells);
   std::atomic<std::size_t> next = 0;
   std::mutex joining;
-  glm::ivec3 lower = map.lower, upper = map.upper;
-  bool full = map.saturatedCells > 0;
+  glm::ivec3 lower = grid.lower, upper = grid.upper;
+  bool full = grid.saturatedCells > 0;
   hair::parallelFor(workers, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t w = begin; w < end; ++w) {
-      CellWriter writer(map, w == 0 ? map.bricks : map.workers[w - 1]);
+      CellWriter writer(grid, w == 0 ? grid.bricks : grid.workers[w - 1]);
       for (std::size_t b = next++; b < blocks; b = next++)
         write(context, writer, b * grain, std::min((b + 1) * grain, count));
       writer.flush();
@@ -77,10 +76,10 @@ void detail::writeCells(std::size_t count, std::size_t grain, std::size_t nanose
       full |= writer.full();
     }
   });
-  map.lower = lower;
-  map.upper = upper;
-  for (std::size_t w = 1; w < workers; ++w) full |= addBricks(map.workers[w - 1], map.bricks);
-  map.saturatedCells = full ? countFull(map.bricks) : 0;
+  grid.lower = lower;
+  grid.upper = upper;
+  for (std::size_t w = 1; w < workers; ++w) full |= addBricks(grid.workers[w - 1], grid.bricks);
+  grid.saturatedCells = full ? countFull(grid.bricks) : 0;
 }
 
 }  // namespace hair

@@ -7,12 +7,12 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/density/density_map.h>
+#include <libhair/density/density_grid.h>
 
 namespace hair {
 
-// Fixed point: one count is 2^-20 of an optical depth, or of a metre. A cell holds 4096 of either;
-// light is gone after 70.
+// Fixed point: one count is 2^-20 of what is summed up, be it metres or optical depths. A cell
+// holds 4096 of either; light is gone after an optical depth of 70.
 inline constexpr float kQuantum = 0x1p-20f;
 
 inline constexpr std::uint32_t kFull = 0xffffffffu;
@@ -25,7 +25,7 @@ inline std::uint32_t addSaturating(std::uint32_t a, std::uint32_t b) {
 /// stores up. Sums of integers do not depend on their order. Whoever makes one flushes it.
 class CellWriter {
  public:
-  CellWriter(const DensityMap& map, BrickStore& store) : map_(map), store_(store) {}
+  CellWriter(const DensityGrid& grid, BrickStore& store) : grid_(grid), store_(store) {}
   CellWriter(const CellWriter&) = delete;
   CellWriter& operator=(const CellWriter&) = delete;
 
@@ -47,7 +47,7 @@ class CellWriter {
   void flush();
 
   /// For kernels that write to the store themselves.
-  const DensityMap& map() const { return map_; }
+  const DensityGrid& grid() const { return grid_; }
   BrickStore& store() { return store_; }
   void tellFull() { full_ = true; }
 
@@ -60,7 +60,7 @@ class CellWriter {
 
   void addAlone(glm::ivec3 cell, std::uint32_t count);
 
-  const DensityMap& map_;
+  const DensityGrid& grid_;
   BrickStore& store_;
   std::size_t size_ = 0;
   int x_[kSize], y_[kSize], z_[kSize];
@@ -71,20 +71,20 @@ class CellWriter {
 
 namespace detail {
 using WriteRange = void (*)(void* context, CellWriter& writer, std::size_t begin, std::size_t end);
-void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, DensityMap& map,
+void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, DensityGrid& grid,
                 WriteRange write, void* context);
 }  // namespace detail
 
 /// Calls write(writer, begin, end) on ranges of at most `grain` that cover [0, count), on as many
 /// threads as there is work for (`nanoseconds`: what it would take one, roughly), and adds up what
-/// they wrote in map.bricks, with bounds and saturation. The result has the same bits for any
+/// they wrote in grid.bricks, with bounds and saturation. The result has the same bits for any
 /// number of threads.
 template <class Write>
-void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, DensityMap& map,
+void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, DensityGrid& grid,
                 Write&& write) {
   using Plain = std::remove_reference_t<Write>;
   detail::writeCells(
-      count, grain, nanoseconds, map,
+      count, grain, nanoseconds, grid,
       [](void* context, CellWriter& writer, std::size_t begin, std::size_t end) {
         (*static_cast<Plain*>(context))(writer, begin, end);
       },

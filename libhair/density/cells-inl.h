@@ -1,13 +1,13 @@
 // Cells of sixteen points side by side; see simd-inl.h for how kernels are compiled.
-#if defined(HAIR_SHADOW_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef HAIR_SHADOW_CELLS_INL_H
-#undef HAIR_SHADOW_CELLS_INL_H
+#if defined(HAIR_DENSITY_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAIR_DENSITY_CELLS_INL_H
+#undef HAIR_DENSITY_CELLS_INL_H
 #else
-#define HAIR_SHADOW_CELLS_INL_H
+#define HAIR_DENSITY_CELLS_INL_H
 #endif
 
 #include <libhair/core/simd-inl.h>
-#include <libhair/density/density_map.h>
+#include <libhair/density/density_grid.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
@@ -44,15 +44,15 @@ HWY_INLINE Floats magnification(const CellFrame& frame, Vec3 u) {
 /// Where unwrapped cells are stored: place · brick::kCells + offset.
 class CellCodes {
  public:
-  HWY_INLINE explicit CellCodes(const DensityMap& map)
-      : map_(map),
-        cells_(map.settings.cells),
-        perY_(map.bricks.perAxis().y),
-        across_(static_cast<std::int32_t>(map.bricks.across())) {}
+  HWY_INLINE explicit CellCodes(const DensityGrid& grid)
+      : grid_(grid),
+        cells_(grid.settings.cells),
+        perY_(grid.bricks.perAxis().y),
+        across_(static_cast<std::int32_t>(grid.bricks.across())) {}
 
-  /// DensityMap::wrap of unwrapped cells.
+  /// DensityGrid::wrap of unwrapped cells.
   HWY_INLINE void wrap(Ints& x, Ints& y, Ints& z) const {
-    const glm::ivec3 base = map_.frame.base;
+    const glm::ivec3 base = grid_.frame.base;
     x = turn(x + Ints(base.x)), y = turn(y + Ints(base.y)), z = turn(z + Ints(base.z));
     if (HWY_UNLIKELY(any(outside(x) | outside(y) | outside(z)))) {
       farther(x), farther(y), farther(z);
@@ -60,7 +60,7 @@ class CellCodes {
   }
   /// Of one axis.
   HWY_INLINE Ints wrap(Ints c, int axis) const {
-    Ints i = turn(c + Ints(map_.frame.base[axis]));
+    Ints i = turn(c + Ints(grid_.frame.base[axis]));
     if (HWY_UNLIKELY(any(outside(i)))) farther(i);
     return i;
   }
@@ -88,16 +88,16 @@ class CellCodes {
 
  private:
   HWY_INLINE Mask outside(Ints i) const { return (i < Ints(0)) | !(i < Ints(cells_)); }
-  /// Where some are farther from the anchor than one map. Sums of a turn are undone by wrapping.
+  /// Where some are farther from the anchor than one grid. Sums of a turn are undone by wrapping.
   HWY_NOINLINE void farther(Ints& i) const {
     std::int32_t each[kLanes];
     store(i, each);
-    for (std::int32_t& e : each) e = map_.wrap(e);
+    for (std::int32_t& e : each) e = grid_.wrap(e);
     i = loadInts(each);
   }
 
   static_assert(brick::kX == 4 && brick::kZ == 4 && brick::kY == 16);
-  const DensityMap& map_;
+  const DensityGrid& grid_;
   std::int32_t cells_, perY_, across_;
 };
 

@@ -2,73 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <libhair/core/error.h>
-#include <libhair/density/cell_batch.h>
 #include <libhair/density/cell_writer.h>
 #include <libhair/density/deposit_kernels.h>
-#include <libhair/density/extinction.h>
 
 namespace hair {
 
 namespace {
 
-/// Spreads a count over the eight cells whose centres surround u. Halved, halved and halved again
-/// in integers: the parts always sum to the count.
-template <class Writer>
-void spread(glm::vec3 u, std::uint32_t count, Writer& writer) {
-  const glm::vec3 v = u - 0.5f;
-  const glm::ivec3 c = floorToCell(v);
-  const glm::vec3 f = v - glm::vec3(c);
-  const auto upperPart = [](std::uint32_t whole, float part) {
-    return std::min(whole, toCount(static_cast<float>(whole) * part + 0.5f));
-  };
-  const std::uint32_t x1 = upperPart(count, f.x);
-  for (int x = 0; x < 2; ++x) {
-    const std::uint32_t nx = x ? x1 : count - x1;
-    const std::uint32_t z1 = upperPart(nx, f.z);
-    for (int z = 0; z < 2; ++z) {
-      const std::uint32_t nz = z ? z1 : nx - z1;
-      const std::uint32_t y1 = upperPart(nz, f.y);
-      writer.add(c + glm::ivec3(x, 0, z), nz - y1);
-      writer.add(c + glm::ivec3(x, 1, z), y1);
-    }
-  }
-}
-
-/// Calls visit(u, cell) for the points of one strand in turn, and tells the writer their bounds,
-/// widened by `margin` cells.
-template <class Writer, class Visit>
-void forCells(std::span<const glm::vec3> points, float margin, const CellFrame& frame,
-              Writer& writer, Visit&& visit) {
-  if (points.empty()) return;
-  CellBatch batch;
-  Bounds box;
-  for (std::size_t begin = 0; begin < points.size(); begin += CellBatch::kSize) {
-    const std::size_t count = std::min(points.size() - begin, CellBatch::kSize);
-    batch.fill(frame, points.subspan(begin, count), glm::vec3(0));
-    for (std::size_t l = 0; l < count; ++l) {
-      const glm::vec3 u(batch.x[l], batch.y[l], batch.z[l]);
-      box.extend(u);
-      visit(u, glm::ivec3(batch.i[l], batch.j[l], batch.k[l]));
-    }
-  }
-  writer.extend(floorToCell(box.lower - margin), floorToCell(box.upper + margin));
-}
-
 template <class Writer>
 void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, float longest,
                      const CellFrame& frame, Writer& writer) {
-  glm::vec3 a(0);
-  glm::ivec3 at(0);
+  if (points.empty()) return;
+  glm::vec3 a = frame.cellCoordinates(points.front());
+  glm::ivec3 at = floorToCell(a);
+  Bounds box;
+  box.extend(a);
   std::uint32_t pending = 0;
   Rounder rounder;
-  bool first = true;
-  forCells(points, 0.0f, frame, writer, [&](glm::vec3 b, glm::ivec3 cell) {
-    if (first) {
-      at = cell;
-      first = false;
-    } else if (longerThan(longest, a, b)) {
+  for (const glm::vec3 p : points.subspan(1)) {
+    const glm::vec3 b = frame.cellCoordinates(p);
+    const glm::ivec3 cell = floorToCell(b);
+    box.extend(b);
+    if (longerThan(longest, a, b)) {
       writer.add(at, addSaturating(pending, rounder.take(scale.amount(a, b))));
       pending = 0;
       at = cell;
@@ -76,58 +34,21 @@ void depositSegments(std::span<const glm::vec3> points, SegmentScale scale, floa
       depositSegment(a, b, rounder.take(scale.amount(a, b)), at, cell, pending, writer);
     }
     a = b;
-  });
+  }
   writer.add(at, pending);
+  writer.extend(floorToCell(box.lower), floorToCell(box.upper));
 }
 
-template <class Writer>
-void depositTrilinear(std::span<const glm::vec3> points, SegmentScale scale, float longest,
-                      const CellFrame& frame, Writer& writer) {
-  glm::vec3 a(0);
-  Rounder rounder;
-  bool first = true;
-  forCells(points, 0.5f, frame, writer, [&](glm::vec3 b, glm::ivec3) {
-    const glm::vec3 d = b - a;
-    // One sample a cell: the spread is as wide as that.
-    const float way = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    const int samples = first ? 0 : static_cast<int>(std::min(way, longest)) + 1;
-    const float each = 1.0f / static_cast<float>(std::max(samples, 1));
-    for (int s = 0; s < samples; ++s)
-      spread(a + d * ((static_cast<float>(s) + 0.5f) * each),
-             rounder.take(scale.amount(a, b) * each), writer);
-    a = b;
-    first = false;
-  });
+float toFloat(double amount) {
+  return static_cast<float>(std::min(amount, double{std::numeric_limits<float>::max()}));
 }
 
-/// The width over which a fibre is smeared out, metres. Trilinear spreads it by another half of a
-/// cell: its peaks are as low as those of fibres that fill one and a half.
-float smearedOver(const DensityMapSettings& settings) {
-  return settings.deposit == Deposit::Trilinear ? 1.5f * settings.cellSize : settings.cellSize;
-}
-
-/// Metres of strand that a point stands for: the mean over at most 256 of the strands that are
-/// read, every stride-th.
-float lengthOfPoint(StrandView strands, std::uint32_t stride) {
-  const std::size_t read = (strands.strandCount() + stride - 1) / stride;
-  const std::size_t step = (read + 255) / 256 * stride;
-  std::size_t count = 0;
-  for (std::size_t s = 0; s < strands.strandCount(); s += step) count += strands.strand(s).size();
-  return count > 0 ? static_cast<float>(sumOfLengths(strands, step) / static_cast<double>(count))
-                   : 0.0f;
-}
-
-/// What one point of Deposit::Points is worth: f · ds, or metres.
-float pointQuantum(StrandView strands, std::uint32_t stride, const Fibre& fibre,
-                   const DensityMapSettings& settings) {
-  const float ds = settings.cellSize;
-  if (settings.quantity == Quantity::Length)
-    return lengthOfPoint(strands, stride) * fibre.hairsPerStrand;
-  if (settings.pointExtinction > 0) return settings.pointExtinction * ds;
-  // Over all directions the sine of the angle to the light is pi / 4 on average.
-  constexpr float kMeanSine = 0.785398163f;
-  return lengthOfPoint(strands, stride) * kMeanSine * fibre.width * fibre.hairsPerStrand *
-         fibre.opacity / (ds * ds);
+/// What one point of Deposit::Points is worth.
+float pointQuantum(StrandView strands, std::uint32_t stride, const SegmentMeasure& measure) {
+  if (measure.perPoint > 0) return measure.perPoint;
+  // Over all directions the sine of the angle to an axis is pi / 4 on average.
+  const float part = measure.of == SegmentMeasure::Of::Length ? 1.0f : 0.785398163f;
+  return metresPerPoint(strands, stride) * part * toFloat(measure.perMetre);
 }
 
 /// How long one thread takes for a point, in nanoseconds, roughly: what decides whether there is
@@ -140,19 +61,17 @@ std::size_t costOfPoint(Deposit how) {
       return 12;
     case Deposit::Segments:
       return 35;
-    case Deposit::Trilinear:
-      return 90;
   }
   return 1;
 }
 
 SegmentScale weighted(const SegmentScale& scale, const StrandRange& range, std::size_t r) {
   const float weight = range.weights.empty() ? 1.0f : range.weights[r * range.stride];
-  return {scale.perCell * weight, scale.acrossOnly, scale.frame};
+  return {scale.of, scale.perCell * weight, scale.frame};
 }
 
 void depositRange(StrandView strands, StrandRange range, const SegmentScale& scale,
-                  const DensityMapSettings& settings, CellWriter& writer) {
+                  const DensityGridSettings& settings, CellWriter& writer) {
   const auto longest = static_cast<float>(settings.cells);
   switch (settings.deposit) {
     case Deposit::Points:
@@ -164,60 +83,50 @@ void depositRange(StrandView strands, StrandRange range, const SegmentScale& sca
         depositSegments(strands.strand(r * range.stride), weighted(scale, range, r), longest,
                         scale.frame, writer);
       return;
-    case Deposit::Trilinear:
-      for (std::size_t r = range.begin; r < range.end; ++r)
-        depositTrilinear(strands.strand(r * range.stride), weighted(scale, range, r), longest,
-                         scale.frame, writer);
-      return;
   }
-}
-
-void run(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t stride,
-         std::span<const float> weights) {
-  const DensityMapSettings& settings = map.settings;
-  const float ds = settings.cellSize;
-  const bool length = settings.quantity == Quantity::Length;
-  // Deviation: extinctionOf, not -ln(1 - opacity).
-  const float perStrand =
-      length ? fibre.hairsPerStrand * ds
-             : fibre.width * fibre.hairsPerStrand * extinctionOf(fibre, smearedOver(settings)) / ds;
-  const SegmentScale scale{perStrand * static_cast<float>(stride) / kQuantum, !length, map.frame};
-  const std::size_t read = (strands.strandCount() + stride - 1) / stride;
-  const std::size_t nanoseconds = strands.pointCount() / stride * costOfPoint(settings.deposit);
-  writeCells(read, 32, nanoseconds, map,
-             [&](CellWriter& writer, std::size_t begin, std::size_t end) {
-               depositRange(strands, {begin, end, stride, weights}, scale, settings, writer);
-             });
 }
 
 }  // namespace
 
-void deposit(StrandView strands, const Fibre& fibre, DensityMap& map, std::uint32_t strandStride,
-             std::span<const float> weights) {
-  require(map.bricks.valid(), "deposit: clear() the density map first");
+float metresPerPoint(StrandView strands, std::uint32_t strandStride) {
+  const std::size_t read = (strands.strandCount() + strandStride - 1) / strandStride;
+  const std::size_t step = (read + 255) / 256 * strandStride;
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < strands.strandCount(); s += step) count += strands.strand(s).size();
+  return count > 0 ? static_cast<float>(sumOfLengths(strands, step) / static_cast<double>(count))
+                   : 0.0f;
+}
+
+void deposit(StrandView strands, const SegmentMeasure& measure, DensityGrid& grid,
+             std::uint32_t strandStride, std::span<const float> weights) {
+  require(grid.bricks.valid(), "deposit: clear() the density grid first");
   require(strandStride > 0 && strandStride < 1u << 30, "deposit: strand stride ", strandStride,
           " is not in 1 to 2^30 - 1");
-  require(fibre.width >= 0 && fibre.opacity >= 0 && fibre.hairsPerStrand >= 0 &&
-              std::isfinite(fibre.width * fibre.opacity * fibre.hairsPerStrand),
-          "deposit: fibre width ", fibre.width, " m, opacity ", fibre.opacity, " or ",
-          fibre.hairsPerStrand, " hairs a strand is negative or not finite");
-  const DensityMapSettings& settings = map.settings;
-  require(
-      settings.quantity == Quantity::OpticalDepth || !map.light.atPoint(),
-      "deposit: lengths are not told apart under a light at a point, whose cells differ in size; "
-      "give the density map a parallel light");
+  require(measure.perMetre >= 0 && std::isfinite(measure.perMetre) && measure.perPoint >= 0 &&
+              std::isfinite(measure.perPoint),
+          "deposit: an amount of ", measure.perMetre, " a metre or ", measure.perPoint,
+          " a point is negative or not finite");
   require(weights.empty() || weights.size() == strands.strandCount(),
           "deposit: ", strands.strandCount(), " strands but ", weights.size(), " weights");
   if (strands.pointCount() == 0) return;
-  if (map.empty()) {
-    map.frame = makeCellFrame(map.light, strands.points.front(), settings.cellSize, settings.cells);
-    map.quantum = settings.deposit == Deposit::Points
-                      ? pointQuantum(strands, strandStride, fibre, settings)
-                      : kQuantum;
+  const DensityGridSettings& settings = grid.settings;
+  if (grid.empty()) {
+    grid.frame =
+        makeCellFrame(grid.space, strands.points.front(), settings.cellSize, settings.cells);
+    grid.quantum = settings.deposit == Deposit::Points
+                       ? pointQuantum(strands, strandStride, measure)
+                       : kQuantum;
   }
-  map.fibreShadow =
-      std::max(map.fibreShadow, fibre.width * extinctionOf(fibre, smearedOver(settings)));
-  run(strands, fibre, map, strandStride, weights);
+  const float perCell = toFloat(measure.perMetre * static_cast<double>(settings.cellSize));
+  const SegmentScale scale{measure.of, perCell * static_cast<float>(strandStride) / kQuantum,
+                           grid.frame};
+  const std::size_t read = (strands.strandCount() + strandStride - 1) / strandStride;
+  const std::size_t nanoseconds =
+      strands.pointCount() / strandStride * costOfPoint(settings.deposit);
+  writeCells(read, 32, nanoseconds, grid,
+             [&](CellWriter& writer, std::size_t begin, std::size_t end) {
+               depositRange(strands, {begin, end, strandStride, weights}, scale, settings, writer);
+             });
 }
 
 }  // namespace hair

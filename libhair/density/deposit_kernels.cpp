@@ -131,8 +131,8 @@ HWY_INLINE void forRuns(StrandView strands, StrandRange range, Visit&& visit) {
 }
 
 void pointsKernel(StrandView strands, StrandRange range, CellWriter& writer) {
-  const CellFrame& frame = writer.map().frame;
-  const CellCodes codes(writer.map());
+  const CellFrame& frame = writer.grid().frame;
+  const CellCodes codes(writer.grid());
   const Ints each(static_cast<std::int32_t>(range.stride));
   PointBox box;
   Adder adder(writer);
@@ -152,7 +152,7 @@ void pointsKernel(StrandView strands, StrandRange range, CellWriter& writer) {
 /// Queue of pieces: parts of segments, each in one column of cells.
 class Pieces {
  public:
-  HWY_INLINE explicit Pieces(CellWriter& writer) : codes_(writer.map()), adder_(writer) {}
+  HWY_INLINE explicit Pieces(CellWriter& writer) : codes_(writer.grid()), adder_(writer) {}
 
   /// A column, within one wrap-around of [0, cells), as one number to which steps to its neighbours
   /// can be added.
@@ -232,7 +232,7 @@ struct AxisWalks {
 };
 
 /// depositColumns (segment_walk.h) of sixteen segments with counts below 2^30, all shorter than the
-/// map.
+/// grid.
 HWY_INLINE void walkColumns(Vec3 a, Vec3 b, Ints count, Pieces& pieces) {
   AxisWalks y(a.y, b.y), z(a.z, b.z);
   const CellCodes& codes = pieces.codes();
@@ -263,10 +263,13 @@ HWY_INLINE void walkColumns(Vec3 a, Vec3 b, Ints count, Pieces& pieces) {
 HWY_INLINE Floats amountOf(const SegmentScale& scale, Vec3 a, Vec3 b) {
   const Vec3 d = b - a;
   const Floats across = d.y * d.y + d.z * d.z;
-  const Floats amount =
-      Floats(scale.perCell) * sqrt(scale.acrossOnly ? across : across + d.x * d.x);
-  return scale.frame.curvature > 0 ? amount * magnification(scale.frame, Floats(0.5f) * (a + b))
-                                   : amount;
+  const bool acrossOnly = scale.of == SegmentMeasure::Of::AcrossX;
+  if (scale.frame.curvature > 0) {
+    const Floats g = magnification(scale.frame, Floats(0.5f) * (a + b));
+    return acrossOnly ? Floats(scale.perCell) * sqrt(across) * g
+                      : Floats(scale.perCell) * sqrt(across / (g * g) + d.x * d.x);
+  }
+  return Floats(scale.perCell) * sqrt(acrossOnly ? across : across + d.x * d.x);
 }
 
 /// Consecutive segments of any strands, those between the end of one strand and the next included.
@@ -394,7 +397,7 @@ void columnsKernel(StrandView strands, StrandRange range, const SegmentScale& sc
 
 void countsKernel(const int* x, const int* y, const int* z, const std::uint32_t* counts,
                   std::size_t size, CellWriter& writer) {
-  const CellCodes codes(writer.map());
+  const CellCodes codes(writer.grid());
   Adder adder(writer);
   for (std::size_t l = 0; l < size; l += kLanes)
     adder.add(codes.code(loadInts(x + l), loadInts(y + l), loadInts(z + l)),

@@ -8,10 +8,11 @@
 
 #include <libhair/density/cell_walk.h>
 #include <libhair/density/cell_writer.h>
+#include <libhair/density/deposit.h>
 
 namespace hair {
 
-// What one segment leaves in the map, one after the other: the walk of Deposit::Segments, and what
+// What one segment leaves in the grid, one after the other: the walk of Deposit::Segments, and what
 // the kernel of Deposit::Columns does sixteen at a time.
 
 inline std::uint32_t toCount(float amount) {
@@ -46,22 +47,24 @@ class Rounder {
   std::uint32_t rest_ = 0x8000u;
 };
 
-/// What a segment adds per cell that it advances: across the light for optical depth (length times
-/// sine of the angle to the light), in all directions for length. Under a light at a point a fibre
-/// looks wider by the magnification.
+/// What a segment adds per cell that it advances, in counts: SegmentMeasure in the grid's own
+/// coordinates.
 struct SegmentScale {
+  SegmentMeasure::Of of;
   float perCell;
-  bool acrossOnly;
   const CellFrame& frame;
+
   float amount(glm::vec3 a, glm::vec3 b) const {
     const glm::vec3 d = b - a;
-    const float across = d.y * d.y + d.z * d.z;
-    const float amount = perCell * std::sqrt(acrossOnly ? across : across + d.x * d.x);
-    return frame.curvature > 0 ? amount * frame.magnification(0.5f * (a + b)) : amount;
+    float square = d.y * d.y + d.z * d.z;
+    const float g = frame.curvature > 0 ? frame.magnification(0.5f * (a + b)) : 1.0f;
+    if (of == SegmentMeasure::Of::AcrossX) return perCell * std::sqrt(square) * g;
+    if (frame.curvature > 0) square = square / (g * g);
+    return perCell * std::sqrt(square + d.x * d.x);
   }
 };
 
-/// Longer than the map: the map is aliased, and will say so; don't walk a billion cells.
+/// Longer than the grid: the grid is aliased, and will say so; don't walk a billion cells.
 inline bool longerThan(float longest, glm::vec3 a, glm::vec3 b) {
   const glm::vec3 d = b - a;
   return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > longest;
@@ -105,7 +108,7 @@ void depositColumns(glm::vec3 a, glm::vec3 b, std::uint32_t count, float longest
   y.next = std::max(0.0f, y.next), z.next = std::max(0.0f, z.next);
   const auto whole = static_cast<float>(count);
   const float middle = 0.5f * (b.x - a.x);
-  // Between the two nearest slices, so that nothing jumps as hair or light move.
+  // Between the two nearest slices, so that nothing jumps as hair or grid move.
   const auto leave = [&](glm::ivec3 in, float depth, std::uint32_t amount) {
     const float x = depth - 0.5f;
     in.x = floorToInt(x);

@@ -9,27 +9,27 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// Look-ups in a density map for sixteen points at once: DensityMap::density and sampleDensity, bit
-// for bit.
+// Look-ups in a density grid for sixteen points at once: DensityGrid::density and sampleDensity,
+// bit for bit.
 class DensityLookup {
  public:
-  HWY_INLINE explicit DensityLookup(const DensityMap& map)
-      : map_(map),
-        codes_(map),
-        slots_(map.bricks.slots(0)),
-        counts_(map.bricks.cells(0)),
-        perCount_(map.quantum /
-                  (map.settings.cellSize * map.settings.cellSize * map.settings.cellSize)) {}
+  HWY_INLINE explicit DensityLookup(const DensityGrid& grid)
+      : grid_(grid),
+        codes_(grid),
+        slots_(grid.bricks.slots(0)),
+        counts_(grid.bricks.cells(0)),
+        perCount_(grid.quantum /
+                  (grid.settings.cellSize * grid.settings.cellSize * grid.settings.cellSize)) {}
 
   // Which way points are pushed, unit or shorter, and the density there.
   HWY_INLINE void push(RepulsionKind kind, const Vec3& p, Vec3& direction, Floats& density) const {
     if (kind == RepulsionKind::CellCentre) {
-      const Cell c = cellOf(cellCoordinates(map_.frame, p));
+      const Cell c = cellOf(cellCoordinates(grid_.frame, p));
       density = densitiesOf(c, 0, 0).first;
       const Floats half = 0.5f;
       const Vec3 inFrame =
-          Vec3(c.whole.x + half, c.whole.y + half, c.whole.z + half) - Vec3(map_.frame.fraction);
-      const Vec3 out = p - (Vec3(map_.frame.anchor) + rotate(map_.frame.worldFromCell, inFrame));
+          Vec3(c.whole.x + half, c.whole.y + half, c.whole.z + half) - Vec3(grid_.frame.fraction);
+      const Vec3 out = p - (Vec3(grid_.frame.anchor) + rotate(grid_.frame.worldFromCell, inFrame));
       const Floats l = length(out);
       direction = select(l > Floats(0.0f), (Floats(1.0f) / l) * out, Vec3(glm::vec3(0)));
       return;
@@ -41,7 +41,7 @@ class DensityLookup {
     constexpr float kSmall = 0x1p-32f;
     gradient = Floats(kSmall) * gradient;
     // Where density hardly changes across a cell there is no way out: push less.
-    const float cellSize = map_.settings.cellSize;
+    const float cellSize = grid_.settings.cellSize;
     const Floats across = Floats(cellSize) * length(gradient);
     const Floats steepness = across / (across + Floats(0.1f * kSmall) * density + Floats(1e-30f));
     direction = select(across > Floats(0.0f), (Floats(-cellSize) / across * steepness) * gradient,
@@ -50,7 +50,7 @@ class DensityLookup {
 
   // sampleDensity.
   HWY_INLINE void sample(const Vec3& p, Floats& density, Vec3& gradient) const {
-    const Vec3 u = cellCoordinates(map_.frame, p) - Vec3(glm::vec3(0.5f));
+    const Vec3 u = cellCoordinates(grid_.frame, p) - Vec3(glm::vec3(0.5f));
     const Cell c = cellOf(u);
     const Vec3 f = u - c.whole, g = Vec3(glm::vec3(1)) - f;
     // Along z, then y, then x; a derivative replaces the mean of two values by their difference.
@@ -67,7 +67,7 @@ class DensityLookup {
                        acrossZ[0] * g.x + acrossZ[1] * f.x);
     density = alongY[0] * g.x + alongY[1] * f.x;
     // d/dworld = (dcell/dworld)^T d/dcell.
-    gradient = rotate(glm::transpose(map_.frame.cellFromWorld), perCell);
+    gradient = rotate(glm::transpose(grid_.frame.cellFromWorld), perCell);
   }
 
  private:
@@ -83,7 +83,8 @@ class DensityLookup {
   };
 
   HWY_INLINE Axis axisOf(Ints cell, int axis) const {
-    const Ints lower(map_.lower[axis]), upper(map_.upper[axis]), wrapped = codes_.wrap(cell, axis);
+    const Ints lower(grid_.lower[axis]), upper(grid_.upper[axis]),
+        wrapped = codes_.wrap(cell, axis);
     const auto inside = [&](Ints c) HWY_ATTR { return !((c < lower) | (c > upper)); };
     return {{wrapped, codes_.next(wrapped)}, {inside(cell), inside(cell + Ints(1))}};
   }
@@ -92,8 +93,9 @@ class DensityLookup {
     return {{toFloats(i), toFloats(j), toFloats(k)}, axisOf(i, 0), axisOf(j, 1), axisOf(k, 2)};
   }
 
-  // DensityMap::density of the first or second cells of x and z, and of both cells of y: most often
-  // one look-up, as a row of a brick holds them side by side. Where no brick is there are zeros.
+  // DensityGrid::density of the first or second cells of x and z, and of both cells of y: most
+  // often one look-up, as a row of a brick holds them side by side. Where no brick is there are
+  // zeros.
   HWY_INLINE Pairs densitiesOf(const Cell& c, int a, int d) const {
     const Ints along = codes_.along(c.x.cell[a]);
     const Ints here = codeInStore(along + codes_.across(c.y.cell[0], c.z.cell[d]));
@@ -115,7 +117,7 @@ class DensityLookup {
   }
 
   static_assert(brick::kCells == 256);
-  const DensityMap& map_;
+  const DensityGrid& grid_;
   CellCodes codes_;
   const std::uint32_t* slots_;
   const std::uint32_t* counts_;
@@ -123,9 +125,9 @@ class DensityLookup {
 };
 
 // Density at `count` · 16 points.
-void densities(const DensityMap& map, RepulsionKind kind, const LaneVec3* points, std::size_t count,
-               Lanes* out) {
-  const DensityLookup lookup(map);
+void densities(const DensityGrid& grid, RepulsionKind kind, const LaneVec3* points,
+               std::size_t count, Lanes* out) {
+  const DensityLookup lookup(grid);
   for (std::size_t at = 0; at < count; ++at) {
     Vec3 direction;
     Floats density;
@@ -135,9 +137,9 @@ void densities(const DensityMap& map, RepulsionKind kind, const LaneVec3* points
 }
 
 // What pushes `count` · 16 points.
-void pushes(const DensityMap& map, const RepulsionSettings& settings, const LaneVec3* points,
+void pushes(const DensityGrid& grid, const RepulsionSettings& settings, const LaneVec3* points,
             const Lanes* allowed, std::size_t count, LaneVec3* out) {
-  const DensityLookup lookup(map);
+  const DensityLookup lookup(grid);
   for (std::size_t at = 0; at < count; ++at) {
     Vec3 direction;
     Floats density;
@@ -149,9 +151,9 @@ void pushes(const DensityMap& map, const RepulsionSettings& settings, const Lane
 
 // What of the wind is left of it at `count` · 16 points. `step`: the way upwind that takes the
 // largest of its coordinates one cell on.
-void sheltered(const DensityMap& map, float shelter, const glm::vec3& step, const LaneVec3* points,
-               std::size_t count, Lanes* out) {
-  const DensityLookup lookup(map);
+void sheltered(const DensityGrid& grid, float shelter, const glm::vec3& step,
+               const LaneVec3* points, std::size_t count, Lanes* out) {
+  const DensityLookup lookup(grid);
   const Floats perDensity = shelter * glm::length(step);
   for (std::size_t at = 0; at < count; ++at) {
     const Vec3 p = points[at];
@@ -188,17 +190,17 @@ HWY_EXPORT(densities);
 HWY_EXPORT(pushes);
 HWY_EXPORT(sheltered);
 
-// An empty map has no memory to look into.
-void lookUp(const DensityMap& map, RepulsionKind kind, std::span<const LaneVec3> points,
+// An empty grid has no memory to look into.
+void lookUp(const DensityGrid& grid, RepulsionKind kind, std::span<const LaneVec3> points,
             std::span<Lanes> out) {
-  if (map.empty()) return std::fill(out.begin(), out.end(), lanes(0));
-  HWY_DYNAMIC_DISPATCH(densities)(map, kind, points.data(), points.size(), out.data());
+  if (grid.empty()) return std::fill(out.begin(), out.end(), lanes(0));
+  HWY_DYNAMIC_DISPATCH(densities)(grid, kind, points.data(), points.size(), out.data());
 }
 
-void push(const DensityMap& map, const RepulsionSettings& settings,
+void push(const DensityGrid& grid, const RepulsionSettings& settings,
           std::span<const LaneVec3> points, const Lanes* allowed, LaneVec3* out) {
-  if (map.empty()) return void(std::fill_n(out, points.size(), LaneVec3{}));
-  HWY_DYNAMIC_DISPATCH(pushes)(map, settings, points.data(), allowed, points.size(), out);
+  if (grid.empty()) return void(std::fill_n(out, points.size(), LaneVec3{}));
+  HWY_DYNAMIC_DISPATCH(pushes)(grid, settings, points.data(), allowed, points.size(), out);
 }
 
 }  // namespace
@@ -234,14 +236,10 @@ std::uint32_t strideCounted(std::size_t strands, const RepulsionSettings& settin
 }
 
 void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSettings& settings,
-                    DensityMap& density) {
-  DensityMapSettings map;
-  map.cells = settings.cells;
-  map.cellSize = settings.cellSize;
-  map.deposit = Deposit::Points;
-  map.quantity = Quantity::Length;
-  clear(density, map, {});
-  deposit(drawn, fibre, density, strideCounted(drawn.strandCount(), settings));
+                    DensityGrid& density) {
+  clear(density, {settings.cells, settings.cellSize, Deposit::Points});
+  deposit(drawn, metresOfHair(fibre.hairsPerStrand), density,
+          strideCounted(drawn.strandCount(), settings));
 }
 
 void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& guides,

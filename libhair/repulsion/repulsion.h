@@ -7,7 +7,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/lanes.h>
-#include <libhair/density/density_map.h>
+#include <libhair/density/density_grid.h>
 #include <libhair/guides/guide_strands.h>
 #include <libhair/motion/wind.h>
 
@@ -22,8 +22,8 @@ enum class RepulsionKind {
 /// Self-collision: hair that is denser than it was groomed spreads out.
 struct RepulsionSettings {
   RepulsionKind kind = RepulsionKind::Gradient;  ///< which way it pushes
-  float cellSize = 0.02f;                        ///< metres; of the map of density that guides feel
-  int cells = 64;  ///< along each axis; cells · cellSize as DensityMapSettings says
+  float cellSize = 0.02f;  ///< metres; of the grid of density that guides feel
+  int cells = 64;          ///< along each axis; cells · cellSize as DensityGridSettings says
   std::uint32_t strandStride = 32;  ///< every so many drawn strands are counted, for all
   float threshold = 1.5e6f;         ///< metres of hair per m³ that never push
   float tolerance = 1.3f;           ///< nor does less than the groom's own density times this, >= 1
@@ -41,7 +41,7 @@ bool sameRestDensity(const RepulsionSettings& a, const RepulsionSettings& b);
 
 /// What a groom at rest has of density at each guide point, and the push of the last frame.
 struct Repulsion {
-  DensityMap density;          ///< metres of hair per m³
+  DensityGrid density;         ///< metres of hair per m³
   std::vector<Lanes> allowed;  ///< [groupCount · pointsPerGuide], metres of hair per m³
   /// The settings that `allowed` was learnt with; none: those of the next frame (a restored state).
   std::optional<RepulsionSettings> learntWith;
@@ -58,22 +58,22 @@ int turnsDue(float seconds, const RepulsionSettings& settings, Repulsion& repuls
 /// Every so many of the drawn strands are counted for all; all of `strands` where they are few.
 std::uint32_t strideCounted(std::size_t strands, const RepulsionSettings& settings);
 
-/// Fills the map with the drawn hair's length. The map's axes are the world's, not the light's: a
-/// lamp that moves must not move the hair.
+/// Fills the grid with the drawn hair's length. The grid's axes are the world's: a lamp that moves
+/// must not move the hair.
 void measureDensity(StrandView drawn, const Fibre& fibre, const RepulsionSettings& settings,
-                    DensityMap& density);
+                    DensityGrid& density);
 
 /// Learns from guides and drawn hair at rest what density is allowed where. Throws Error for
 /// settings out of range.
 void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& guides,
                       const RepulsionSettings& settings, Repulsion& repulsion);
 
-/// Pushes on guide points from the density in the map: on every other group of guides, the others
+/// Pushes on guide points from the density in the grid: on every other group of guides, the others
 /// at the next call, as density changes little in a frame. No more density than at rest is no push,
 /// so repulsion cannot keep a groom from coming to rest. Threads over groups.
 void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repulsion& repulsion);
 
-/// How much of the wind gets to each guide point past the hair upwind of it in the map, as
+/// How much of the wind gets to each guide point past the hair upwind of it in the grid, as
 /// Wind::shelter says. Counts hair from one cell to five away: a point's own cell does not count,
 /// so that a lone strand across the wind is in all of it. Threads over points. Throws Error for a
 /// wind that is not valid.

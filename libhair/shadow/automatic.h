@@ -2,8 +2,8 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/strands.h>
-#include <libhair/density/density_map.h>
 #include <libhair/light/light_space.h>
+#include <libhair/shadow/density_map.h>
 
 namespace HAIR_API hair {
 

@@ -49,9 +49,9 @@ class Cells {
   HWY_INLINE explicit Cells(const FilterView& view)
       : view_(view),
         map_(view.map),
-        codes_(view.map),
-        n_(map_.settings.cells),
-        deepest_(map_.depth() - 1),
+        codes_(view.map.grid),
+        n_(map_.grid.settings.cells),
+        deepest_(map_.grid.depth() - 1),
         aliased_(map_.aliased()) {}
 
   /// The slices i - 1 (front) and i (back) of each lane.
@@ -64,7 +64,7 @@ class Cells {
   };
   /// Of unwrapped slices i.
   HWY_INLINE Slices slices(Ints i) const {
-    Ints s = i - Ints(map_.lower.x);
+    Ints s = i - Ints(map_.grid.lower.x);
     // Wrap slices of hair deeper than the map: its far end shares those of its near end (paper,
     // Psi).
     if (HWY_UNLIKELY(aliased_)) s = comeRound(s);
@@ -129,8 +129,8 @@ class Cells {
 
   /// All columns from j0 to j1 and k0 to k1 are outside of the hair's bounds.
   HWY_INLINE Mask beside(Ints j0, Ints j1, Ints k0, Ints k1) const {
-    return (j1 < Ints(map_.lower.y)) | (j0 > Ints(map_.upper.y)) | (k1 < Ints(map_.lower.z)) |
-           (k0 > Ints(map_.upper.z));
+    return (j1 < Ints(map_.grid.lower.y)) | (j0 > Ints(map_.grid.upper.y)) |
+           (k1 < Ints(map_.grid.lower.z)) | (k0 > Ints(map_.grid.upper.z));
   }
   const DensityMap& map() const { return map_; }
   const FilterView& view() const { return view_; }
@@ -207,10 +207,10 @@ class FootprintSum {
   /// Cuts the unwrapped cells from `first` to `last` of a row into pieces, with the weights for a
   /// point at y.
   FootprintSum(int first, int last, float y, const Cells& cells) {
-    const DensityMap& map = cells.map();
-    const int n = map.settings.cells;
+    const DensityGrid& grid = cells.map().grid;
+    const int n = grid.settings.cells;
     for (int j = first; j <= last;) {
-      const int wrapped = map.wrap(map.frame.base.y + j);
+      const int wrapped = grid.wrap(grid.frame.base.y + j);
       const int from = wrapped % brick::kY;
       const int count = std::min({brick::kY - from, n - wrapped, last - j + 1});
       Piece& piece = pieces_[count_++];
@@ -274,7 +274,7 @@ class FootprintSum {
 /// Filter::Footprint of up to sixteen points, one after another: lanes are cells of a row.
 HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* out) {
   // Find slices, cells and bounds of all points.
-  const DensityMap& map = cells.map();
+  const DensityGrid& grid = cells.map().grid;
   const FootprintKernel& kernel = cells.view().kernel;
   const Floats x = u.x, y = u.y - 0.5f, z = u.z - 0.5f;
   const Floats h(kernel.halfWidth);
@@ -304,7 +304,7 @@ HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* 
       store(footprintWeights(kernel, across[p] - static_cast<float>(k) - toFloats(laneNumbers())),
             weights);
       for (std::size_t l = 0; l < kLanes && k <= lastK[p]; ++l, ++k)
-        sum.add(cells, rows, map.wrap(map.frame.base.z + k), weights[l]);
+        sum.add(cells, rows, grid.wrap(grid.frame.base.z + k), weights[l]);
     }
     out[p] = std::min(std::max(1 - sum.darkness(), 0.0f), 1.0f);
   }
@@ -326,7 +326,8 @@ void sampleAll(const FilterView& view, const glm::vec3* points, std::size_t coun
     Linear linear[kVectors];
     for (std::size_t v = 0; v < vectors; ++v) {
       const std::size_t first = p + v * kLanes;
-      const Vec3 u = cellCoordinates(view.map.frame, loadPoints(points + first, count - first));
+      const Vec3 u =
+          cellCoordinates(view.map.grid.frame, loadPoints(points + first, count - first));
       if (filter == Filter::None)
         store(own(cells, u), t + v * kLanes);
       else if (filter == Filter::Footprint)
@@ -370,7 +371,7 @@ void TransmittanceSampler::sample(std::span<const glm::vec3> points, std::span<f
     return;
   }
   const int n = map_.settings.cells;
-  const FilterView view{map_, FootprintKernel(map_.settings), scale_, map_.bricks.perAxis().y,
+  const FilterView view{map_, FootprintKernel(map_.settings), scale_, map_.grid.bricks.perAxis().y,
                         n % brick::kY == 0 ? -1 : n - 1};
   HWY_DYNAMIC_DISPATCH(sampleAll)(view, points.data(), points.size(), out.data());
 }

@@ -4,6 +4,8 @@
 #include <climits>
 #include <cmath>
 
+#include <libhair/shadow/footprint.h>
+
 namespace hair::literal {
 
 namespace {
@@ -23,6 +25,55 @@ std::size_t at(const LiteralMap& map, int i, int j, int k) {
   const auto n = static_cast<std::size_t>(map.cells);
   return (static_cast<std::size_t>(i) * n + static_cast<std::size_t>(j)) * n +
          static_cast<std::size_t>(k);
+}
+
+/// Equation 3: what leaves an unwrapped cell through its back face.
+double leaving(const DensityGrid& grid, glm::ivec3 cell) {
+  double depth = 0;
+  const bool beside = cell.y < grid.lower.y || cell.y > grid.upper.y || cell.z < grid.lower.z ||
+                      cell.z > grid.upper.z;
+  for (int i = grid.lower.x; !beside && i <= std::min(cell.x, grid.upper.x); ++i)
+    depth += static_cast<double>(grid.quantum) * grid.count({i, cell.y, cell.z});
+  return std::exp(-depth);
+}
+
+/// What gets to depth x of a column: linear between the front and the back face of its cell.
+double reaching(const DensityGrid& grid, double x, int j, int k) {
+  const int i = static_cast<int>(std::floor(x));
+  return std::lerp(leaving(grid, {i - 1, j, k}), leaving(grid, {i, j, k}), x - i);
+}
+
+/// Filters of section 3.3: linear across the light, where the value of cell j, k stands at
+/// (j + shift, k + shift).
+double linear(const DensityGrid& grid, glm::dvec3 u, double shift) {
+  const double y = u.y - shift, z = u.z - shift;
+  const int j = static_cast<int>(std::floor(y)), k = static_cast<int>(std::floor(z));
+  const auto row = [&](int z0) {
+    return std::lerp(reaching(grid, u.x, j, z0), reaching(grid, u.x, j + 1, z0), y - j);
+  };
+  return std::lerp(row(k), row(k + 1), z - k);
+}
+
+/// Integral of the tent of half-width 1 up to t.
+double tentBelow(double t) {
+  t = std::clamp(t, -1.0, 1.0);
+  return t < 0 ? 0.5 * (1 + t) * (1 + t) : 1 - 0.5 * (1 - t) * (1 - t);
+}
+
+/// Filter::Footprint: the mean over a square of side 2 h (FootprintKernel) of what `linear` between
+/// cell centres gives, one cell after the other.
+double footprint(const DensityGrid& grid, glm::dvec3 u, double h) {
+  const auto weight = [h](double from, int cell) {
+    const double t = from - (cell + 0.5);
+    return (tentBelow(t + h) - tentBelow(t - h)) / (2 * h);
+  };
+  const auto first = [h](double from) { return static_cast<int>(std::floor(from - h - 1.5)); };
+  const auto last = [h](double from) { return static_cast<int>(std::ceil(from + h + 0.5)); };
+  double sum = 0;
+  for (int k = first(u.z); k <= last(u.z); ++k)
+    for (int j = first(u.y); j <= last(u.y); ++j)
+      sum += weight(u.y, j) * weight(u.z, k) * reaching(grid, u.x, j, k);
+  return sum;
 }
 
 }  // namespace
@@ -78,6 +129,22 @@ void filterTransmittance(const LiteralMap& map, std::span<const glm::vec3> point
         }
     out[p] = sum;
   }
+}
+
+double transmittance(const DensityMap& map, glm::vec3 p) {
+  const DensityGrid& grid = map.grid;
+  const glm::vec3 u = grid.frame.cellCoordinates(p);
+  switch (map.settings.filter) {
+    case Filter::None:
+      return leaving(grid, grid.cellOf(p));
+    case Filter::Paper:
+      return linear(grid, u, 1);
+    case Filter::Centred:
+      return linear(grid, u, 0.5);
+    case Filter::Footprint:
+      return footprint(grid, u, static_cast<double>(FootprintKernel(map.settings).halfWidth));
+  }
+  return 1;
 }
 
 }  // namespace hair::literal

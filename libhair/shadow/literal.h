@@ -7,6 +7,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/light/light_space.h>
+#include <libhair/shadow/density_map.h>
 
 namespace HAIR_API hair {
 namespace literal {
@@ -35,6 +36,12 @@ void computeTransmittance(LiteralMap& map);
 /// not say; the modulo would read the slice farthest from the light).
 void filterTransmittance(const LiteralMap& map, std::span<const glm::vec3> points,
                          std::span<float> out);
+
+/// Transmittance at one point of a map that strands were deposited in, by the map's own filter,
+/// from the counts of its grid alone: equation 3 for each cell, in double, then a plain sum of
+/// weights times cells. computeTransmittance() need not be called. What sampleTransmittance is
+/// tested against. For a map that is not aliased.
+double transmittance(const DensityMap& map, glm::vec3 p);
 
 }  // namespace literal
 }  // namespace hair

@@ -35,47 +35,47 @@ CellBox cellBox(const CellFrame& frame, glm::vec3 centre, float radius) {
 
 /// What of a box the map has room for beside the hair: things farther away, a leg or a lamp's own
 /// surroundings, must not come round by the modulo.
-CellBox roomFor(CellBox box, const DensityMap& map) {
-  const int n = map.settings.cells;
+CellBox roomFor(CellBox box, const DensityGrid& grid) {
+  const int n = grid.settings.cells;
   const glm::ivec3 middle = (box.lower + box.upper) / 2;
   for (int c = 0; c < 3; ++c) {
-    const int least = map.empty() ? middle[c] - n / 2 : map.upper[c] - n + 1;
-    const int most = map.empty() ? least + n - 1 : map.lower[c] + n - 1;
+    const int least = grid.empty() ? middle[c] - n / 2 : grid.upper[c] - n + 1;
+    const int most = grid.empty() ? least + n - 1 : grid.lower[c] + n - 1;
     // In front of the map it shadows all the same: it is filled in at the first slice there is.
     if (c > 0) box.lower[c] = std::max(box.lower[c], least);
     box.upper[c] = std::min({box.upper[c], most, std::max(box.lower[c], least) + n - 1});
   }
   // Behind all hair there is nothing to shadow.
-  if (!map.empty()) box.upper.x = std::min(box.upper.x, map.upper.x);
+  if (!grid.empty()) box.upper.x = std::min(box.upper.x, grid.upper.x);
   return box;
 }
 
 /// distance(p): metres to the thing, negative inside, never more than the true distance.
 template <class Distance>
 void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMap& map) {
-  require(map.bricks.valid(), "occlude: clear() the density map first");
-  require(map.settings.quantity == Quantity::OpticalDepth,
-          "occlude: a map of lengths has no shadows; give it Quantity::OpticalDepth");
-  const float cell = map.settings.cellSize;
-  if (map.empty()) {
-    map.frame = makeCellFrame(map.light, centre, cell, map.settings.cells);
-    map.quantum = kQuantum;
+  DensityGrid& grid = map.grid;
+  require(grid.bricks.valid(), "occlude: clear() the density map first");
+  const float cell = grid.settings.cellSize;
+  if (grid.empty()) {
+    grid.frame = makeCellFrame(grid.space, centre, cell, grid.settings.cells);
+    grid.quantum = kQuantum;
   }
-  const CellFrame frame = map.frame;
+  const CellFrame frame = grid.frame;
   require(
-      map.quantum > 0,
+      grid.quantum > 0,
       "occlude: a point of this hair is worth no optical depth; take Deposit::Columns, or fibres "
       "of some width and opacity");
   const auto count =
-      static_cast<std::uint32_t>(std::min(std::max(kOpaque / map.quantum, 1.0f), 4294967040.0f));
-  const CellBox box = roomFor(cellBox(frame, centre, radius), map);
-  const int firstSlice = map.empty() ? box.lower.x : map.upper.x - map.settings.cells + 1;
+      static_cast<std::uint32_t>(std::min(std::max(kOpaque / grid.quantum, 1.0f), 4294967040.0f));
+  const CellBox box = roomFor(cellBox(frame, centre, radius), grid);
+  const int firstSlice = grid.empty() ? box.lower.x : grid.upper.x - grid.settings.cells + 1;
   if (glm::any(glm::greaterThan(box.lower, box.upper))) return;
+  map.lit = false;
   const auto rows = static_cast<std::size_t>(box.upper.z - box.lower.z) + 1;
   // A few steps to a column, each of some tens of nanoseconds.
   const std::size_t nanoseconds =
       rows * (static_cast<std::size_t>(box.upper.y - box.lower.y) + 1) * 100;
-  writeCells(rows, 4, nanoseconds, map,
+  writeCells(rows, 4, nanoseconds, grid,
              [&](CellWriter& writer, std::size_t begin, std::size_t end) {
                for (std::size_t row = begin; row < end; ++row) {
                  const int k = box.lower.z + static_cast<int>(row);

@@ -4,9 +4,9 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/transform.h>
-#include <libhair/density/density_map.h>
 #include <libhair/geometry/colliders.h>
 #include <libhair/geometry/mesh_sdf.h>
+#include <libhair/shadow/density_map.h>
 
 namespace HAIR_API hair {
 
@@ -21,7 +21,7 @@ namespace HAIR_API hair {
 /// sees it, a shadow is as soft as the map's filter is wide.
 ///
 /// Costs a walk along each column through the thing's bounds, in steps as long as the distance to
-/// it. Throws Error for a map of Quantity::Length.
+/// it.
 void occlude(const MeshSdf& mesh, const RigidTransform& worldFromMesh, DensityMap& map);
 /// The same for a body.
 void occlude(std::span<const Capsule> capsules, DensityMap& map);

@@ -20,7 +20,7 @@
 #include <hwy/foreach_target.h>
 
 #include <libhair/core/simd-inl.h>
-#include <libhair/density/brick_range.h>
+#include <libhair/shadow/brick_range.h>
 #include <libhair/shadow/transmittance.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -71,7 +71,7 @@ HWY_INLINE void copyNeighbour(int layers, const float* next, bool constant, floa
 /// Prefetches a brick of the next run.
 HWY_INLINE void prefetch(std::uint32_t slot, DensityMap& map) {
   if (slot == 0) return;
-  const std::uint32_t* counts = map.bricks.cells(slot);
+  const std::uint32_t* counts = map.grid.bricks.cells(slot);
   const float* out = map.transmittances.layer(Transmittances::code(slot));
   for (std::size_t c = 0; c < brick::kCells; c += kLanes) {
     hwy::Prefetch(counts + c);
@@ -82,22 +82,22 @@ HWY_INLINE void prefetch(std::uint32_t slot, DensityMap& map) {
 /// Walks one row of bricks across the light, in the columns of `range`.
 void walkRow(std::size_t z, BrickRange range, DensityMap& map) {
   // Let full light enter: run 0 reads the layer of ones, 0.
-  const BrickStore& bricks = map.bricks;
+  const BrickStore& bricks = map.grid.bricks;
   const auto perRow = static_cast<std::size_t>(bricks.perAxis().y);
-  const int slices = map.depth();
+  const int slices = map.grid.depth();
   std::uint32_t* before = map.lightIn.data() + z * perRow;
   for (int i = 0; i < range.count; ++i) before[range.at(i)] = Transmittances::kFixed;
   std::uint32_t last = 0;  // slice of the previous run
   for (int s = 0; s < slices;) {
     // Find the run: up to the end of its brick, of the wrap-around, or of the hair.
-    const int first = map.wrap(map.frame.base.x + map.lower.x + s);
+    const int first = map.grid.wrap(map.grid.frame.base.x + map.grid.lower.x + s);
     const auto slice = static_cast<std::uint32_t>(first % brick::kX);
     const Run run{static_cast<int>(slice), std::min({brick::kX - static_cast<int>(slice),
-                                                     map.settings.cells - first, slices - s})};
+                                                     map.grid.settings.cells - first, slices - s})};
     const std::uint32_t* slots = bricks.slots(bricks.place({first, 0, 0}) + z * perRow);
     std::uint32_t* codes = before + bricks.across();
     const std::uint32_t* next = nullptr;
-    if (s + run.count < slices && first + run.count < map.settings.cells)
+    if (s + run.count < slices && first + run.count < map.grid.settings.cells)
       next = slots + bricks.across();
     // The layer that enters the run: a brick's own, elsewhere the one that all its slices read.
     const auto entering = [&](std::size_t y) HWY_ATTR {
@@ -112,7 +112,7 @@ void walkRow(std::size_t z, BrickRange range, DensityMap& map) {
       codes[y] = held | Transmittances::kFixed;
       if (slots[y] == 0) continue;
       codes[y] = Transmittances::code(slots[y]);
-      attenuate(bricks.cells(slots[y]), run, map.quantum,
+      attenuate(bricks.cells(slots[y]), run, map.grid.quantum,
                 map.transmittances.layer(held & ~Transmittances::kFixed), entering(y));
     }
     // Pad each brick from its neighbour. After the last one any will do: no filter reads there.
@@ -145,9 +145,10 @@ namespace {
 
 /// Finds the run and the slice of its brick of every slice of the hair.
 void findSlices(DensityMap& map) {
-  const auto across = static_cast<std::int32_t>(map.bricks.across());
-  const int n = map.settings.cells, begin = map.wrap(map.frame.base.x + map.lower.x);
-  const auto slices = static_cast<std::size_t>(map.depth());
+  const auto across = static_cast<std::int32_t>(map.grid.bricks.across());
+  const int n = map.grid.settings.cells,
+            begin = map.grid.wrap(map.grid.frame.base.x + map.grid.lower.x);
+  const auto slices = static_cast<std::size_t>(map.grid.depth());
   // Reserve for the deepest hair, as that of a later frame may be deeper.
   map.sliceRun.reserve(static_cast<std::size_t>(n) + 1);
   map.sliceInBrick.reserve(static_cast<std::size_t>(n) + 1);
@@ -169,14 +170,15 @@ void findSlices(DensityMap& map) {
 }  // namespace
 
 void computeTransmittance(DensityMap& map) {
-  map.transmittances.reserve(map.bricks.room());
+  map.transmittances.reserve(map.grid.bricks.room());
   findSlices(map);
   // Count the runs, at most: run 0 before all hair, one per brick along the light, of which the
   // first and the last may be entered in part, and one more where the index wraps around.
-  const auto runs = static_cast<std::size_t>(map.depth()) / brick::kX + 4;
-  map.lightIn.reserve((static_cast<std::size_t>(map.bricks.perAxis().x) + 4) * map.bricks.across());
+  const auto runs = static_cast<std::size_t>(map.grid.depth()) / brick::kX + 4;
+  map.lightIn.reserve((static_cast<std::size_t>(map.grid.bricks.perAxis().x) + 4) *
+                      map.grid.bricks.across());
   // Give new codes a valid layer: filters read codes beside the hair, but do not use their values.
-  map.lightIn.resize(runs * map.bricks.across(), Transmittances::kFixed);
+  map.lightIn.resize(runs * map.grid.bricks.across(), Transmittances::kFixed);
   // Walk the rows that a filter may read.
   const BrickRange across = bricksToRead(map, 1), rows = bricksToRead(map, 2);
   parallelFor(static_cast<std::size_t>(rows.count), 1, [&](std::size_t begin, std::size_t end) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <libhair/core/api.h>
-#include <libhair/density/density_map.h>
+#include <libhair/shadow/density_map.h>
 
 namespace HAIR_API hair {
 

@@ -7,7 +7,6 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/profile.h>
-#include <libhair/density/density_map.h>
 #include <libhair/geometry/mesh_sdf.h>
 #include <libhair/guides/settings.h>
 #include <libhair/guides/step.h>
@@ -15,6 +14,7 @@
 #include <libhair/model/groom.h>
 #include <libhair/repulsion/repulsion.h>
 #include <libhair/shade/kajiya_kay.h>
+#include <libhair/shadow/density_map.h>
 #include <libhair/wisps/level.h>
 #include <libhair/wisps/wisps.h>
 

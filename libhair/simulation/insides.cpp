@@ -208,21 +208,22 @@ int unwrapped(int wrapped, int base, int cells, int size, int lower) {
   return cell;
 }
 
-void addBricks(const DensityMap& map, Lines& lines) {
-  if (map.empty()) return;
-  const glm::ivec3 perAxis = map.bricks.perAxis(), size(brick::kX, brick::kY, brick::kZ);
-  for (const std::uint32_t place : map.bricks.places()) {
+void addBricks(const DensityGrid& grid, Lines& lines) {
+  if (grid.empty()) return;
+  const glm::ivec3 perAxis = grid.bricks.perAxis(), size(brick::kX, brick::kY, brick::kZ);
+  for (const std::uint32_t place : grid.bricks.places()) {
     const int y = static_cast<int>(place) % perAxis.y, rest = static_cast<int>(place) / perAxis.y;
     const glm::ivec3 first = glm::ivec3(rest / perAxis.z, y, rest % perAxis.z) * size;
     glm::vec3 from, to;
     for (int c = 0; c < 3; ++c) {
       const int cell =
-          unwrapped(first[c], map.frame.base[c], map.settings.cells, size[c], map.lower[c]);
+          unwrapped(first[c], grid.frame.base[c], grid.settings.cells, size[c], grid.lower[c]);
       from[c] = static_cast<float>(cell);
-      to[c] = static_cast<float>(cell + std::min(size[c], map.settings.cells - first[c]));
+      to[c] = static_cast<float>(cell + std::min(size[c], grid.settings.cells - first[c]));
     }
     const auto corner = [&](int i) {
-      return map.frame.point({i & 1 ? to.x : from.x, i & 2 ? to.y : from.y, i & 4 ? to.z : from.z});
+      return grid.frame.point(
+          {i & 1 ? to.x : from.x, i & 2 ? to.y : from.y, i & 4 ? to.z : from.z});
     };
     for (int i = 0; i < 8; ++i)
       for (const int bit : {1, 2, 4})
@@ -280,7 +281,7 @@ void addLines(Inside what, const Hair& hair, const GuideSettings& settings,
     case Inside::Colliders:
       return addColliders(hair, lines);
     case Inside::Bricks:
-      if (!hair.maps.empty()) addBricks(hair.maps.front(), lines);
+      if (!hair.maps.empty()) addBricks(hair.maps.front().grid, lines);
       return;
   }
 }

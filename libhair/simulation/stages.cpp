@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
-#include <libhair/density/deposit.h>
+#include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/occlude.h>
 #include <libhair/shadow/transmittance.h>
@@ -35,20 +35,19 @@ StrandView countedStrands(const RepulsionSettings& settings, Hair& hair) {
 void fillMap(const DrawnHair& drawn, const Light& light, const DensityMapSettings& cells,
              const FrameSettings& settings, const Hair& hair, DensityMap& map) {
   clear(map, cells, lightSpaceOf(light, hair.pivot()));
-  deposit(drawn.strands, drawn.fibre, map, 1, drawn.weights);
-  map.fibreShadow *= drawn.ownFibres;
+  deposit(drawn, map);
   if (!settings.bodyShadow) return;
   if (hair.head) occlude(*hair.head, hair.worldFromHead, map);
   occlude(hair.capsules, map);
 }
 
-// Cells by which the hair is longer than it is in any other direction of the map.
+// Of the hair, along the axis of the map along which it is longest.
 int extentInCells(const DensityMap& map) {
-  const glm::ivec3 size = map.upper - map.lower;
+  const glm::ivec3 size = map.grid.upper - map.grid.lower;
   return std::max({size.x, size.y, size.z}) + 1;
 }
 
-// The same, with larger cells where the ends of the hair would share some. Cells grow in steps, so
+// The same with larger cells where the ends of the hair would share some. Cells grow in steps, so
 // that they keep their size while the hair moves a little; they depend on this frame's hair alone.
 void fillFittingMap(const DrawnHair& drawn, const Light& light, const FrameSettings& settings,
                     const Hair& hair, DensityMap& map) {
@@ -146,7 +145,7 @@ void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
       fillFittingMap(drawn, settings.lights[l], settings, hair, map);
     }
     {
-      const auto cells = static_cast<std::int64_t>(map.bricks.size() * brick::kCells);
+      const auto cells = static_cast<std::int64_t>(map.grid.bricks.size() * brick::kCells);
       const StageTimer timer(profile, Stage::Transmittance, cells);
       computeTransmittance(map);
     }

@@ -8,6 +8,8 @@ from ._libhair import Choice as Choice
 from ._libhair import DeepOpacityMapSettings as DeepOpacityMapSettings
 from ._libhair import DeepShadowMapSettings as DeepShadowMapSettings
 from ._libhair import DensityClusteringSettings as DensityClusteringSettings
+from ._libhair import DensityGrid as DensityGrid
+from ._libhair import DensityGridSettings as DensityGridSettings
 from ._libhair import DensityMap as DensityMap
 from ._libhair import DensityMapSettings as DensityMapSettings
 from ._libhair import DetailSettings as DetailSettings
@@ -81,6 +83,8 @@ __all__ = [
     "DeepOpacityMapSettings",
     "DeepShadowMapSettings",
     "DensityClusteringSettings",
+    "DensityGrid",
+    "DensityGridSettings",
     "DensityMap",
     "DensityMapSettings",
     "DetailSettings",

@@ -7,13 +7,13 @@
 
 #include <pybind11/pybind11.h>
 
-#include <libhair/density/density_map.h>
 #include <libhair/files/strand_file.h>
 #include <libhair/guides/settings.h>
 #include <libhair/light/light.h>
 #include <libhair/measure/shadow/candidates.h>
 #include <libhair/model/styles.h>
 #include <libhair/repulsion/repulsion.h>
+#include <libhair/shadow/density_map.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
 // Enumerations are words in Python: filter="footprint". One table a type says which.
@@ -53,15 +53,12 @@ HAIR_CHOICES(RepulsionKind, "RepulsionKind",
 HAIR_CHOICES(Deposit, "Deposit",
              {{"points", Deposit::Points},
               {"columns", Deposit::Columns},
-              {"segments", Deposit::Segments},
-              {"trilinear", Deposit::Trilinear}});
+              {"segments", Deposit::Segments}});
 HAIR_CHOICES(Filter, "Filter",
              {{"none", Filter::None},
               {"paper", Filter::Paper},
               {"centred", Filter::Centred},
               {"footprint", Filter::Footprint}});
-HAIR_CHOICES(Quantity, "Quantity",
-             {{"optical depth", Quantity::OpticalDepth}, {"length", Quantity::Length}});
 HAIR_CHOICES(Light::Kind, "LightKind",
              {{"parallel", Light::Kind::Parallel}, {"point", Light::Kind::Point}});
 HAIR_CHOICES(Extinction, "Extinction",

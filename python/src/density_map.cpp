@@ -1,14 +1,12 @@
 // The density map, pass by pass.
-#include <algorithm>
-#include <cmath>
-
 #include <libhair/core/error.h>
-#include <libhair/density/deposit.h>
+#include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/occlude.h>
 #include <libhair/shadow/transmittance.h>
 
 #include "choices.h"
+#include "density_grid.h"
 #include "shadow.h"
 
 namespace hair::python {
@@ -52,7 +50,7 @@ class Map {
   }
   py::array sample(const py::object& points, const py::object& out) {
     const Busy busy(busy_, "density map");
-    const py::array in = pointsIn(points);
+    const py::array in = placesIn(points);
     const py::array result = outputOf<float>(out, {in.shape(0)});
     const auto to = spanOf<float, float>(result);
     withoutLock([&] { sampleTransmittance(map_, pointsOf(in), to); });
@@ -68,54 +66,20 @@ class Map {
   }
   py::tuple density(const py::object& points) {
     const Busy busy(busy_, "density map");
-    const py::array in = pointsIn(points);
-    std::vector<float> densities;
-    std::vector<glm::vec3> gradients;
-    for (const glm::vec3 p : pointsOf(in)) {
-      const DensitySample sample = sampleDensity(map_, p);
-      densities.push_back(sample.density);
-      gradients.push_back(sample.gradient);
-    }
-    return py::make_tuple(arrayOf<float>(std::move(densities), {in.shape(0)}),
-                          arrayOfPoints(std::move(gradients)));
+    return densityAt(map_.grid, points);
   }
   py::array densityGrid() {
-    return grid<float, float>({}, [this](glm::ivec3 cell) { return map_.density(cell); });
+    const Busy busy(busy_, "density map");
+    return densityOfCells(map_.grid);
   }
   py::array cellCentres() {
-    return grid<float, glm::vec3>({3}, [this](glm::ivec3 cell) { return map_.cellCentre(cell); });
+    const Busy busy(busy_, "density map");
+    return centresOfCells(map_.grid);
   }
   const DensityMap& map() const { return map_; }
   const Light& light() const { return light_; }
 
  private:
-  static py::array pointsIn(const py::object& points) {
-    const py::array in = requirePoints(points, "points");
-    for (const glm::vec3 p : pointsOf(in))
-      require(std::abs(p.x) < 1e8f && std::abs(p.y) < 1e8f && std::abs(p.z) < 1e8f,
-              "points: not finite, or beyond 1e8 m (check the scale)");
-    return in;
-  }
-  // Of all cells between `lower` and `upper`, both included.
-  template <class Scalar, class T, class Of>
-  py::array grid(const Shape& inner, Of&& of) {
-    const Busy busy(busy_, "density map");
-    require(!map_.aliased(),
-            "density map: the hair is larger than the map, its ends share cells; "
-            "take more or larger cells");
-    const glm::ivec3 lower = map_.empty() ? glm::ivec3(0) : map_.lower;
-    const glm::ivec3 size = map_.empty() ? glm::ivec3(0) : map_.upper - map_.lower + 1;
-    std::vector<T> cells;
-    cells.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                  static_cast<std::size_t>(size.z));
-    for (int i = 0; i < size.x; ++i)
-      for (int j = 0; j < size.y; ++j)
-        for (int k = 0; k < size.z; ++k) cells.push_back(of(lower + glm::ivec3(i, j, k)));
-    Shape shape = {size.x, size.y, size.z};
-    shape.insert(shape.end(), inner.begin(), inner.end());
-    return arrayOf<Scalar>(std::move(cells), shape);
-  }
-
   DensityMap map_;
   DensityMapSettings settings_;
   Light light_;
@@ -153,8 +117,9 @@ compute_transmittance(), then sample() or sample_strands().)")
            "At the points of strands that were deposited, without a strand's own shadow: (N,) "
            "float32.")
       .def("density", &Map::density, py::arg("points"),
-           "Density at points (N, 3) float32, and its gradient: (N,) float32, 1/m³ (metres of hair "
-           "per m³ for quantity \"length\"), and (N, 3) float32, per metre.")
+           "Density of optical depth at points (N, 3) float32, and its gradient: (N,) float32, "
+           "1/m³, "
+           "and (N, 3) float32, per metre.")
       .def("density_grid", &Map::densityGrid,
            "Density of all cells that hold hair and those between, (I, J, K) float32, I along the "
            "light; a copy.")
@@ -164,24 +129,24 @@ compute_transmittance(), then sample() or sample_strands().)")
           "settings", [](const Map& map) { return map.map().settings; }, "A copy.")
       .def_property_readonly("light", &Map::light, "The Light.")
       .def_property_readonly(
-          "lower", [](const Map& map) { return map.map().lower; },
+          "lower", [](const Map& map) { return map.map().grid.lower; },
           "Least cell (i, j, k) that holds hair, counted from the cell of the first point.")
       .def_property_readonly(
-          "upper", [](const Map& map) { return map.map().upper; }, "Greatest cell (i, j, k).")
+          "upper", [](const Map& map) { return map.map().grid.upper; }, "Greatest cell (i, j, k).")
       .def_property_readonly(
           "empty", [](const Map& map) { return map.map().empty(); }, "Nothing was deposited.")
       .def_property_readonly(
           "aliased", [](const Map& map) { return map.map().aliased(); },
           "The hair is larger than the map: take more or larger cells.")
       .def_property_readonly(
-          "saturated_cells", [](const Map& map) { return map.map().saturatedCells; },
+          "saturated_cells", [](const Map& map) { return map.map().grid.saturatedCells; },
           "Cells whose sum did not fit.")
       .def_property_readonly(
           "bytes", [](const Map& map) { return map.map().bytes(); }, "Memory of what it holds.")
       .def("__repr__", [](const Map& map) {
         const DensityMapSettings& s = map.map().settings;
         return text("<DensityMap: ", s.cells, "³ cells of ", 1000 * s.cellSize, " mm, ",
-                    map.map().bricks.size(), " bricks>");
+                    map.map().grid.bricks.size(), " bricks>");
       });
 }
 

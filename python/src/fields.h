@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 
 #include "arrays.h"
 #include "choices.h"
@@ -56,8 +57,10 @@ class Fields {
     class_.attr("_fields") = py::tuple();
   }
 
-  template <class M>
-  Fields& field(const char* name, M T::* member, const char* doc) {
+  /// `member`: of T, or of what T is derived from.
+  template <class M, class C>
+    requires std::is_base_of_v<C, T>
+  Fields& field(const char* name, M C::* member, const char* doc) {
     class_.def_readwrite(name, member, doc);
     return add(name);
   }

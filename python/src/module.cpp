@@ -28,9 +28,9 @@ PYBIND11_MODULE(_libhair, m) {
       "A bad file or argument: what is wrong, where, and which knob to turn.";
   // For whoever writes stubs.
   m.attr("_choices") =
-      choices<UpAxis, Style, LinkSolver, RepulsionKind, Deposit, Filter, Quantity, Light::Kind,
-              Extinction, LateralFilter, DeepOpacityMapSettings::Growth,
-              DeepOpacityMapSettings::Beyond, DensityClusteringSettings::Start, CandidateSet>();
+      choices<UpAxis, Style, LinkSolver, RepulsionKind, Deposit, Filter, Light::Kind, Extinction,
+              LateralFilter, DeepOpacityMapSettings::Growth, DeepOpacityMapSettings::Beyond,
+              DensityClusteringSettings::Start, CandidateSet>();
   bindGeometry(m);
   bindStrands(m);
   bindSettings(m);
@@ -38,6 +38,7 @@ PYBIND11_MODULE(_libhair, m) {
   bindLevels(m);
   bindMotion(m);
   bindSimulation(m);
+  bindDensity(m);
   bindShadows(m);
   bindMeasure(m);
   bindThreads(m);

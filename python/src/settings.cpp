@@ -103,17 +103,20 @@ void bindMotionSettings(py::module_& m) {
 }
 
 void bindShadowSettings(py::module_& m) {
+  Fields<DensityGridSettings>(m, "DensityGridSettings", "A grid of hair density.")
+      .field("cells", &DensityGridSettings::cells, "Along each axis, 2 to 1024.")
+      .field("cell_size", &DensityGridSettings::cellSize, "Metres.")
+      .field("deposit", &DensityGridSettings::deposit,
+             "How strands are written: \"columns\", \"points\" or \"segments\".");
   Fields<DensityMapSettings>(m, "DensityMapSettings", "The light-oriented density map.")
       .field("cells", &DensityMapSettings::cells, "Along each axis, 2 to 1024.")
       .field("cell_size", &DensityMapSettings::cellSize, "Metres.")
       .field("deposit", &DensityMapSettings::deposit,
-             "How strands are written: \"columns\", \"points\", \"segments\" or \"trilinear\".")
+             "How strands are written: \"columns\", \"points\" or \"segments\".")
       .field("filter", &DensityMapSettings::filter,
              "How it is read: \"centred\", \"footprint\", \"paper\" or \"none\".")
       .field("footprint", &DensityMapSettings::footprint,
              "Radius of the disc that filter \"footprint\" averages over, metres.")
-      .field("quantity", &DensityMapSettings::quantity,
-             "\"optical depth\", or \"length\" (metres of hair, no shadows).")
       .field("point_extinction", &DensityMapSettings::pointExtinction,
              "Extinction of a point, 1/metre, deposit \"points\" only; 0: chosen.");
   Fields<ShadowMapSettings>(m, "ShadowMapSettings", "Shadow map with percentage-closer filtering.")

@@ -12,6 +12,7 @@ void bindGrooms(pybind11::module_& m);      ///< styles, bound strands, hair mes
 void bindLevels(pybind11::module_& m);      ///< GroomDetail, LevelOfDetail
 void bindMotion(pybind11::module_& m);      ///< Motion, Pose
 void bindSimulation(pybind11::module_& m);  ///< Simulation
+void bindDensity(pybind11::module_& m);     ///< DensityGrid
 void bindShadows(pybind11::module_& m);     ///< shadow, DensityMap, ShadowMethod, shade
 void bindMeasure(pybind11::module_& m);     ///< truth, trials, the choice
 void bindThreads(pybind11::module_& m);     ///< thread_count, thread_limit

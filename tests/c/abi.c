@@ -68,7 +68,7 @@ AT(hair_pool, run, 8);
 AT(hair_pool, user, 16);
 /* And numbers that programs have compiled in. */
 SO(statuses, HAIR_BAD_ARGUMENT == 1 && HAIR_OUT_OF_MEMORY == 2 && HAIR_INTERNAL_ERROR == 3);
-SO(deposits, HAIR_DEPOSIT_POINTS == 0 && HAIR_DEPOSIT_COLUMNS == 1 && HAIR_DEPOSIT_TRILINEAR == 3);
+SO(deposits, HAIR_DEPOSIT_POINTS == 0 && HAIR_DEPOSIT_COLUMNS == 1 && HAIR_DEPOSIT_SEGMENTS == 2);
 SO(filters, HAIR_FILTER_NONE == 0 && HAIR_FILTER_CENTRED == 2 && HAIR_FILTER_FOOTPRINT == 3);
 SO(styles, HAIR_STYLE_SMOOTH == 0 && HAIR_STYLE_CURLY == 1 && HAIR_STYLE_LONG == 2);
 

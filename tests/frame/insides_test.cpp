@@ -80,14 +80,14 @@ TEST_F(Insides, ContoursOfTheHeadAreWhereItsDistanceIsZero) {
 }
 
 TEST_F(Insides, BricksHoldTheHair) {
-  const DensityMap& map = scene.hair.maps.front();
+  const DensityGrid& grid = scene.hair.maps.front().grid;
   const auto lines = linesOf(Inside::Bricks, scene);
-  ASSERT_EQ(lines.size(), 24 * map.bricks.size());
-  std::vector<Bounds> boxes(map.bricks.size());
+  ASSERT_EQ(lines.size(), 24 * grid.bricks.size());
+  std::vector<Bounds> boxes(grid.bricks.size());
   for (std::size_t i = 0; i < lines.size(); ++i)
-    boxes[i / 24].extend(map.frame.cellCoordinates(lines[i].position));
+    boxes[i / 24].extend(grid.frame.cellCoordinates(lines[i].position));
   for (const glm::vec3 p : scene.hair.wisps.points) {
-    const glm::vec3 u = map.frame.cellCoordinates(p);
+    const glm::vec3 u = grid.frame.cellCoordinates(p);
     ASSERT_TRUE(std::ranges::any_of(boxes, [&](const Bounds& b) {
       return glm::all(glm::greaterThan(u, b.lower - 1e-2f)) &&
              glm::all(glm::lessThan(u, b.upper + 1e-2f));

@@ -9,7 +9,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
-#include <libhair/density/deposit.h>
+#include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/transmittance.h>
 #include <libhair/wisps/bind.h>
@@ -66,7 +66,7 @@ struct LitCurtain {
     DensityMapSettings settings;
     settings.deposit = how;
     clear(map, settings, makeLightSpace({0, 0, -1}));
-    deposit(wisps.strands(), wisps.fibre(), map, 1, wisps.drawn.weights);
+    deposit(wisps.drawnHair(), map);
     computeTransmittance(map);
     std::vector<float> t(behind.size());
     sampleTransmittance(map, behind, t);
@@ -75,10 +75,11 @@ struct LitCurtain {
   // Sum over the map, of optical depth.
   double depth() const {
     double sum = 0;
-    for (int i = map.lower.x; i <= map.upper.x; ++i)
-      for (int j = map.lower.y; j <= map.upper.y; ++j)
-        for (int k = map.lower.z; k <= map.upper.z; ++k) sum += map.count({i, j, k});
-    return sum * static_cast<double>(map.quantum);
+    const DensityGrid& grid = map.grid;
+    for (int i = grid.lower.x; i <= grid.upper.x; ++i)
+      for (int j = grid.lower.y; j <= grid.upper.y; ++j)
+        for (int k = grid.lower.z; k <= grid.upper.z; ++k) sum += grid.count({i, j, k});
+    return sum * static_cast<double>(grid.quantum);
   }
 };
 
@@ -218,7 +219,7 @@ std::pair<double, double> largestChange(float fade, Deposit how) {
 }
 
 TEST(Level, LightChangesAsLittleAsTheLevelDoes) {
-  for (const Deposit how : {Deposit::Columns, Deposit::Segments, Deposit::Trilinear}) {
+  for (const Deposit how : {Deposit::Columns, Deposit::Segments}) {
     const auto [light, depth] = largestChange(0.25f, how);
     // Steps of 1e-4: a strand fades by 4e-4 to 5e-4 of its width in each, and 10 are at a point.
     EXPECT_LT(light, 4e-4) << static_cast<int>(how);
@@ -249,14 +250,14 @@ TEST(Level, AStrandOfHalfTheWidthDarkensHalfAsMuch) {
   strands.append(std::vector<glm::vec3>{{0, 0, 0}, {0.011f, 0.013f, 0.002f}, {0.03f, 0.02f, 0}});
   strands.append(std::vector<glm::vec3>{{0, 0.05f, 0}, {0.012f, 0.06f, 0.01f}});
   const Fibre fibre{80e-6f, 0.6f, 30};
-  for (const Deposit how : {Deposit::Columns, Deposit::Segments, Deposit::Trilinear})
+  for (const Deposit how : {Deposit::Columns, Deposit::Segments})
     for (const float weight : {0.0f, 0.25f, 0.5f, 0.9f, 1.0f}) {
       const auto depthOf = [&](std::span<const float> weights) {
         LitCurtain lit;
         DensityMapSettings settings;
         settings.deposit = how;
         clear(lit.map, settings, makeLightSpace({0, 0, -1}));
-        deposit(strands, fibre, lit.map, 1, weights);
+        deposit(DrawnHair{strands, fibre, weights}, lit.map);
         return lit.depth();
       };
       const double one = depthOf(std::vector<float>{1, 0}), two = depthOf(std::vector<float>{0, 1});

@@ -56,7 +56,8 @@ def samples():
     motion = libhair.Motion.still()
     some = [strands, points, truth, simulation, motion, motion.pose(0), LIGHT, head_field(),
             small_groom(), libhair.builtin_head(), libhair.ShadowMethod(libhair.DensityMapSettings()),
-            libhair.DensityMap(libhair.DensityMapSettings(), LIGHT), libhair.Transform(),
+            libhair.DensityMap(libhair.DensityMapSettings(), LIGHT), libhair.DensityGrid(),
+            libhair.Transform(),
             libhair.GroomDetail(small_groom()),
             libhair.StrandSequenceWriter(os.path.join(tempfile.gettempdir(), "none.####.hair"))]
     some += [c() for c in vars(libhair).values() if isinstance(c, type) and hasattr(c, "_fields")]

@@ -89,9 +89,9 @@ class Doors(unittest.TestCase):
 
     def test_the_grid_holds_all_the_hair(self):
         hair = libhair.Strands(wavy(500))
-        settings = libhair.DensityMapSettings(cells=128, cell_size=6e-3, quantity="length")
-        density = libhair.DensityMap(settings, LIGHT)
-        density.deposit(hair, libhair.Fibre(hairs_per_strand=1))
+        settings = libhair.DensityGridSettings(cells=128, cell_size=6e-3)
+        density = libhair.DensityGrid(settings)
+        density.deposit(hair)
         grid = density.density_grid()
         self.assertEqual(grid.shape, tuple(numpy.subtract(density.upper, density.lower) + 1))
         self.assertEqual(density.cell_centres().shape, grid.shape + (3,))

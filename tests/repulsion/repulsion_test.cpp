@@ -6,6 +6,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/instruction_set.h>
 #include <libhair/core/random.h>
+#include <libhair/repulsion/literal.h>
 #include <libhair/repulsion/repulsion.h>
 
 namespace hair {
@@ -78,30 +79,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Repels,
                            return test.param == RepulsionKind::Gradient ? "Gradient" : "CellCentre";
                          });
 
-// What repel makes of one point, from the map's own look-ups.
-glm::vec3 literalPush(const DensityMap& map, const RepulsionSettings& settings, float allowed,
-                      glm::vec3 p) {
-  glm::vec3 direction(0);
-  float density = 0;
-  if (settings.kind == RepulsionKind::CellCentre) {
-    const glm::ivec3 cell = map.cellOf(p);
-    const glm::vec3 out = p - map.cellCentre(cell);
-    const float length = glm::length(out);
-    if (length > 0) direction = out / length;
-    density = map.density(cell);
-  } else {
-    const DensitySample sample = sampleDensity(map, p);
-    const float across = settings.cellSize * glm::length(sample.gradient);
-    const float steepness = across / (across + 0.1f * sample.density + 1e-20f);
-    if (across > 0) direction = sample.gradient * (-settings.cellSize / across * steepness);
-    density = sample.density;
-  }
-  const float excess = std::max(0.0f, density / allowed - 1);
-  return std::min(settings.strength * excess, settings.limit) * direction;
-}
-
-TEST_P(Repels, AsTheMapsOwnLookUpsSay) {
-  // Off the hair too, across the map's seam, and in a map that the hair does not fit into.
+TEST_P(Repels, AsTheGridsOwnLookUpsSay) {
+  // Off the hair too, across the grid's seam, and in a grid that the hair does not fit into.
   const Bundle bundle(0.06f);
   GuideStrands guides(bundle.groom, {});
   RepulsionSettings settings = everyStrand(GetParam());
@@ -127,7 +106,7 @@ TEST_P(Repels, AsTheMapsOwnLookUpsSay) {
       for (std::size_t at = 0; at < repulsion.push.size(); ++at)
         for (std::size_t l = 0; l < kLanes; ++l) {
           const glm::vec3 expected =
-              literalPush(repulsion.density, settings, 1e4f, lane(guides.position[at], l));
+              literal::push(repulsion.density, settings, 1e4f, lane(guides.position[at], l));
           const glm::vec3 got = lane(repulsion.push[at], l);
           pushed += got != glm::vec3(0);
           ASSERT_LE(glm::distance(got, expected), 2e-6f * glm::length(expected)) << cells;
@@ -158,7 +137,7 @@ TEST_P(Repels, WithTheSameBitsOnEveryInstructionSet) {
 TEST(Repulsion, DensityIsTheLengthOfHairPerVolume) {
   const Bundle bundle(0.05f);
   RepulsionSettings settings = everyStrand(RepulsionKind::Gradient);
-  DensityMap density;
+  DensityGrid density;
   measureDensity(bundle.drawn, bundle.groom.fibre, settings, density);
   double length = 0;
   for (int x = density.lower.x; x <= density.upper.x; ++x)

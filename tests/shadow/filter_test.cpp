@@ -7,38 +7,12 @@
 #include <libhair/core/error.h>
 #include <libhair/core/instruction_set.h>
 #include <libhair/core/parallel.h>
+#include <libhair/shadow/literal.h>
 
 #include "fixture.h"
 
 namespace hair {
 namespace {
-
-// Equation 3 as it stands: what leaves an unwrapped cell towards the back. From the counts alone,
-// so that neither bricks nor runs nor codes are in it.
-double leaving(const DensityMap& map, glm::ivec3 cell) {
-  double depth = 0;
-  const bool beside =
-      cell.y < map.lower.y || cell.y > map.upper.y || cell.z < map.lower.z || cell.z > map.upper.z;
-  for (int i = map.lower.x; !beside && i <= std::min(cell.x, map.upper.x); ++i)
-    depth += static_cast<double>(map.quantum) * map.count({i, cell.y, cell.z});
-  return std::exp(-depth);
-}
-
-// The filters of section 3.3, one point at a time: weights of the eight cells around it.
-double filtered(const DensityMap& map, glm::vec3 p) {
-  const glm::dvec3 shift(0, 1, 1);
-  const glm::vec3 u = map.frame.cellCoordinates(p);
-  if (map.settings.filter == Filter::None) return leaving(map, glm::ivec3(glm::floor(u)));
-  const glm::dvec3 v = glm::dvec3(u) - (map.settings.filter == Filter::Paper ? 1.0 : 0.5) * shift;
-  const glm::ivec3 c(glm::floor(v));
-  double sum = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 d(corner & 1, corner >> 1 & 1, corner >> 2);
-    const glm::dvec3 t = v - glm::dvec3(c), w = glm::mix(1.0 - t, t, glm::dvec3(d));
-    sum += w.x * w.y * w.z * leaving(map, c + d - glm::ivec3(1, 0, 0));
-  }
-  return sum;
-}
 
 // Points of the hair, around it, and far off.
 std::vector<glm::vec3> pointsAround(const StrandSet& hair) {
@@ -53,8 +27,8 @@ std::vector<glm::vec3> pointsAround(const StrandSet& hair) {
   return points;
 }
 
-void expectWeightsOfEightCells(const StrandSet& hair, const DensityMapSettings& settings,
-                               const LightSpace& light) {
+void expectLiteral(const StrandSet& hair, const DensityMapSettings& settings,
+                   const LightSpace& light) {
   const auto points = pointsAround(hair);
   std::vector<float> t(points.size());
   DensityMap map;
@@ -62,7 +36,7 @@ void expectWeightsOfEightCells(const StrandSet& hair, const DensityMapSettings& 
   ASSERT_FALSE(map.aliased());
   sampleTransmittance(map, points, t);
   for (std::size_t p = 0; p < points.size(); ++p)
-    ASSERT_NEAR(t[p], filtered(map, points[p]), 4e-6)
+    ASSERT_NEAR(t[p], literal::transmittance(map, points[p]), 4e-6)
         << settings.cells << " cells, filter " << static_cast<int>(settings.filter) << ", point "
         << p;
 }
@@ -77,8 +51,21 @@ TEST(Filter, WeightsWhatLeavesTheEightCellsAroundAPoint) {
         settings.cells = cells, settings.cellSize = size, settings.filter = filter;
         LightSpace light = makeLightSpace(test::kSlanted);
         light.origin = origin;  // moves the seam through the hair
-        expectWeightsOfEightCells(hair, settings, light);
+        expectLiteral(hair, settings, light);
       }
+}
+
+TEST(Filter, WeightsTheCellsOfAFootprint) {
+  const StrandSet hair = test::headOfHair(150, 24);
+  for (const float cellsWide : {0.5f, 2.0f, 5.0f})
+    for (const int cells : {128, 100}) {
+      DensityMapSettings settings;
+      settings.cells = cells, settings.cellSize = 1.0f / static_cast<float>(cells);
+      settings.filter = Filter::Footprint, settings.footprint = cellsWide * settings.cellSize;
+      LightSpace light = makeLightSpace(test::kSlanted);
+      light.origin = glm::vec3(0.31f, 0.4f, -0.27f);  // moves the seam through the hair
+      expectLiteral(hair, settings, light);
+    }
 }
 
 TEST(Filter, DoesSoInHairThatFillsItsMapWhereverTheSeamIs) {
@@ -95,7 +82,7 @@ TEST(Filter, DoesSoInHairThatFillsItsMapWhereverTheSeamIs) {
     for (int seam = 0; seam < 20; ++seam) {
       settings.filter = filter;
       const double at = 0.01 * seam;
-      expectWeightsOfEightCells(block, settings, test::alongX(glm::dvec3(at, -at, 0.5 * at)));
+      expectLiteral(block, settings, test::alongX(glm::dvec3(at, -at, 0.5 * at)));
     }
 }
 
@@ -132,6 +119,59 @@ TEST(Filter, HasTheSameBitsOnEveryInstructionSetAndInAnyParts) {
       }
       expectSame("parts");
     }
+}
+
+TEST(Filter, OfAConstantFieldIsConstant) {
+  // A wall of equal depth everywhere across the light; behind it all points are equally dark.
+  DensityMapSettings settings;
+  settings.cells = 16;
+  settings.cellSize = 1.0f;
+  settings.footprint = 3.5f;
+  StrandSet wall;
+  for (int j = 0; j < 16; ++j)
+    wall.append(std::vector<glm::vec3>{{0.5f, static_cast<float>(j) + 0.5f, 0.0f},
+                                       {0.5f, static_cast<float>(j) + 0.5f, 15.9999f}});
+  for (Filter f : test::kFilters) {
+    settings.filter = f;
+    DensityMap map;
+    clear(map, settings, test::alongX());
+    deposit(wall, test::oneHair(1.0f, 0.7f), map);
+    computeTransmittance(map);
+    std::vector<glm::vec3> points;
+    for (std::uint32_t i = 0; i < 500; ++i)
+      points.push_back({2 + 10 * uniform(i, 0), 4 + 8 * uniform(i, 1), 4 + 8 * uniform(i, 2)});
+    std::vector<float> t(points.size());
+    sampleTransmittance(map, points, t);
+    // Fibres as wide as a cell, side by side: each takes its opacity, not exp(-opacity).
+    for (float v : t) ASSERT_NEAR(v, 0.3f, 1e-6f);
+  }
+}
+
+TEST(Filter, CentredPeaksInTheMiddleOfACellAndPaperAtItsFarCorner) {
+  DensityMapSettings settings;
+  settings.cells = 16;
+  settings.cellSize = 1.0f;
+  DensityMap map;
+  const auto darkestAt = [&](Filter f, int axis) {
+    settings.filter = f;
+    clear(map, settings, test::alongX());
+    deposit(test::oneStrand({{0.5f, 5.2f, 5.5f}, {0.5f, 5.8f, 5.5f}}), test::oneHair(1, 1), map);
+    computeTransmittance(map);
+    float darkest = 2, where = 0;
+    for (int i = 0; i < 400; ++i) {
+      const float other = f == Filter::Paper ? 5.999f : 5.5f,
+                  here = 4 + 0.01f * static_cast<float>(i);
+      const glm::vec3 p = axis == 1 ? glm::vec3(3, here, other) : glm::vec3(3, other, here);
+      float t;
+      sampleTransmittance(map, std::span(&p, 1), std::span(&t, 1));
+      if (t < darkest) darkest = t, where = here;
+    }
+    return where;
+  };
+  for (int axis : {1, 2}) {
+    EXPECT_NEAR(darkestAt(Filter::Centred, axis), 5.5f, 0.02f);
+    EXPECT_NEAR(darkestAt(Filter::Paper, axis), 6.0f, 0.02f);
+  }
 }
 
 TEST(Filter, OfAMapThatIsNotReadyIsRefused) {

@@ -162,13 +162,5 @@ TEST(Occlude, HasTheSameBitsForAnyThreadCount) {
   }
 }
 
-TEST(Occlude, AMapOfLengthsIsRefused) {
-  DensityMapSettings lengths = settings();
-  lengths.quantity = Quantity::Length;
-  DensityMap map;
-  clear(map, lengths, kLights[0]);
-  EXPECT_THROW(occlude(std::span(&kBall, 1), map), Error);
-}
-
 }  // namespace
 }  // namespace hair

@@ -51,9 +51,10 @@ struct Contender {
 
 void watchMap(const DensityMap& map, SceneWatch& watch) {
   if (map.empty()) return;
-  watch.cells = map.settings.cells;
-  watch.cellsUsed = glm::max(watch.cellsUsed, map.upper - map.lower + 1);
-  watch.saturatedCells = std::max(watch.saturatedCells, map.saturatedCells);
+  const DensityGrid& grid = map.grid;
+  watch.cells = grid.settings.cells;
+  watch.cellsUsed = glm::max(watch.cellsUsed, grid.upper - grid.lower + 1);
+  watch.saturatedCells = std::max(watch.saturatedCells, grid.saturatedCells);
   watch.aliasedFrames += map.aliased();
 }
 

@@ -134,13 +134,13 @@ std::size_t bytesOf(const std::vector<T>& array) {
   return array.size() * sizeof(T);
 }
 
-std::size_t bytesOf(const DensityMap& map) {
-  return map.bytes();
+std::size_t bytesOf(const DensityGrid& grid) {
+  return grid.bytes();
 }
 
 std::size_t bytesOf(const std::vector<DensityMap>& maps) {
   std::size_t sum = 0;
-  for (const DensityMap& map : maps) sum += bytesOf(map);
+  for (const DensityMap& map : maps) sum += map.bytes();
   return sum;
 }
 

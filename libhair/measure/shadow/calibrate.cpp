@@ -59,11 +59,8 @@ std::vector<Run> plannedRuns(std::size_t hairs, float extent) {
       add(h, map(h == 0 ? 5e-3f : 4e-3f, deposit, Filter::Centred, 0));
       add(h, map(h == 0 ? 2e-3f : 8e-3f, deposit, Filter::Centred, 0));
     }
-    const float cell = h == 1 ? 2e-3f : 4e-3f;
     for (const float points : {1.5e-3f, 3e-3f, 6e-3f})
       add(h, map(points, Deposit::Points, Filter::Centred, 0));
-    add(h, map(cell, Deposit::Trilinear, Filter::Centred, 0));
-    add(h, map(h == 0 ? 2e-3f : 7e-3f, Deposit::Trilinear, Filter::Centred, 0));
     add(h, ShadowMapSettings{h == 1 ? 2e-3f : 1e-3f, h == 2 ? 6e-3f : 3e-3f, 1e-3f});
     add(h, ShadowMapSettings{h == 2 ? 3e-3f : 0.5e-3f, 3e-3f, 1e-3f});
     for (const float pixel : {1.8e-3f, 4.5e-3f}) {

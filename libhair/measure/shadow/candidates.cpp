@@ -75,8 +75,6 @@ void addDensityMaps(float footprint, float extent, CandidateSet set, List& list)
   for (const float part : {2.0f / 3, 1.0f, 1.5f, 2.0f, 3.0f, 5.0f})
     list.add(densityMap(part * footprint, extent, Deposit::Columns, Filter::Centred));
   list.add(densityMap(footprint, extent, Deposit::Segments, Filter::Centred));
-  for (const float part : {2.0f / 3, 1.0f, 1.5f})
-    list.add(densityMap(part * footprint, extent, Deposit::Trilinear, Filter::Centred));
   for (const float part : {1.0f / 3, 0.5f, 2.0f / 3, 1.0f})
     list.add(footprintMap(part * footprint, footprint, extent));
 }

@@ -27,9 +27,6 @@ CostTerms mapBuild(CostStage stage, const HairFeatures& hair, const DensityMapSe
   switch (stage) {
     case CostStage::DepositPoints:
       return {hair.points, 0, places, brickCells, hair.points * missed};
-    case CostStage::DepositTrilinear:
-      return {hair.segments, hair.segments + hair.longestWay / cell, places, brickCells,
-              (hair.segments + hair.longestWay / cell) * missed};
     case CostStage::DepositColumns:
       return {hair.segments, hair.pixelsCrossed(cell), places, brickCells,
               hair.pixelsCrossed(cell) * missed};
@@ -80,10 +77,9 @@ CostTerms listsBuild(const HairFeatures& hair, float pixelSize, double clusters)
 
 struct Stages {
   CostStages operator()(const DensityMapSettings& s) const {
-    const CostStage build = s.deposit == Deposit::Points      ? CostStage::DepositPoints
-                            : s.deposit == Deposit::Columns   ? CostStage::DepositColumns
-                            : s.deposit == Deposit::Trilinear ? CostStage::DepositTrilinear
-                                                              : CostStage::DepositSegments;
+    const CostStage build = s.deposit == Deposit::Points    ? CostStage::DepositPoints
+                            : s.deposit == Deposit::Columns ? CostStage::DepositColumns
+                                                            : CostStage::DepositSegments;
     return {build,
             s.filter == Filter::Footprint ? CostStage::SampleFootprint : CostStage::SampleCells};
   }
@@ -181,15 +177,21 @@ PredictedTime predictTime(const MachineCosts& machine, const HairFeatures& hair,
 }
 
 std::string costText(const MachineCosts& machine) {
-  static constexpr const char* kNames[kCostStages] = {
-      "density map points build",   "density map columns build",
-      "density map segments build", "density map trilinear build",
-      "density map cells sample",   "density map footprint sample",
-      "shadow map build",           "shadow map sample",
-      "opacity map build",          "opacity map sample",
-      "deep opacity map build",     "deep opacity map sample",
-      "density clustering build",   "density clustering sample",
-      "deep shadow map build",      "deep shadow map sample"};
+  static constexpr const char* kNames[kCostStages] = {"density map points build",
+                                                      "density map columns build",
+                                                      "density map segments build",
+                                                      "density map cells sample",
+                                                      "density map footprint sample",
+                                                      "shadow map build",
+                                                      "shadow map sample",
+                                                      "opacity map build",
+                                                      "opacity map sample",
+                                                      "deep opacity map build",
+                                                      "deep opacity map sample",
+                                                      "density clustering build",
+                                                      "density clustering sample",
+                                                      "deep shadow map build",
+                                                      "deep shadow map sample"};
   std::ostringstream out;
   for (std::size_t s = 0; s < kCostStages; ++s) {
     out << kNames[s] << ':';

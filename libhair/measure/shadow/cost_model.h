@@ -17,7 +17,6 @@ enum class CostStage {
   DepositPoints,         ///< density map, whole build with Deposit::Points
   DepositColumns,        ///< the same with Deposit::Columns
   DepositSegments,       ///< the same with Deposit::Segments
-  DepositTrilinear,      ///< the same with Deposit::Trilinear
   SampleCells,           ///< density map, filters of one or eight cells
   SampleFootprint,       ///< density map, Filter::Footprint
   ShadowMapBuild,        ///< shadow map
@@ -59,7 +58,7 @@ struct CostStages {
 CostStages costStages(const ShadowSettings& settings);
 
 /// The terms of a stage for this hair, one after the other:
-///  - density map, build: segments (points for Points), cells crossed (samples for Trilinear),
+///  - density map, build: segments (points for Points), cells crossed,
 ///    entries of the map's table of bricks, cells of bricks that hold hair; and for cache misses:
 ///    cells crossed · coldShare · log2 of the map's megabytes;
 ///  - density map, sample: points, cells read (rows of bricks for Footprint); and for cache misses:

@@ -1,7 +1,7 @@
 #include <libhair/shadow/methods/density_map_method.h>
 
 #include <libhair/core/error.h>
-#include <libhair/density/deposit.h>
+#include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/methods/shadow_method.h>
 #include <libhair/shadow/transmittance.h>
@@ -46,8 +46,6 @@ class DensityMapMethod final : public ShadowMethod {
 }  // namespace
 
 std::unique_ptr<ShadowMethod> makeDensityMapMethod(const DensityMapSettings& settings) {
-  require(settings.quantity == Quantity::OpticalDepth,
-          "density map: a map of lengths has no transmittance; take Quantity::OpticalDepth");
   return std::make_unique<DensityMapMethod>(settings);
 }
 

@@ -3,15 +3,14 @@
 #include <memory>
 
 #include <libhair/core/api.h>
-#include <libhair/density/density_map.h>
+#include <libhair/shadow/density_map.h>
 
 namespace HAIR_API hair {
 
 class ShadowMethod;
 
 /// The light-oriented density map behind the interface that all methods share. Its build throws
-/// Error where the hair is larger than the map. Throws Error for settings out of range, and for
-/// Quantity::Length, which holds no shadow.
+/// Error where the hair is larger than the map. Throws Error for settings out of range.
 std::unique_ptr<ShadowMethod> makeDensityMapMethod(const DensityMapSettings& settings);
 
 }  // namespace hair

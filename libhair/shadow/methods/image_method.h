@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <libhair/density/extinction.h>
+#include <libhair/shadow/extinction.h>
 #include <libhair/shadow/footprint.h>
 #include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/shadow_method.h>

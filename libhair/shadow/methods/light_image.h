@@ -8,10 +8,10 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/strands.h>
-#include <libhair/density/cell_batch.h>
 #include <libhair/density/cell_walk.h>
-#include <libhair/density/extinction.h>
 #include <libhair/light/light_space.h>
+#include <libhair/shadow/extinction.h>
+#include <libhair/shadow/methods/cell_batch.h>
 
 namespace HAIR_API hair {
 

@@ -6,7 +6,7 @@
 #include <libhair/core/approximate.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/density/cell_batch.h>
+#include <libhair/shadow/methods/cell_batch.h>
 #include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
 

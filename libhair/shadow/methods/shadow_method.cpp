@@ -33,8 +33,6 @@ const char* name(Deposit deposit) {
       return "";
     case Deposit::Segments:
       return " segments";
-    case Deposit::Trilinear:
-      return " trilinear";
   }
   return "";
 }

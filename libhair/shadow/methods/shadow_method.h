@@ -11,8 +11,8 @@
 #include <libhair/core/api.h>
 #include <libhair/core/fibre.h>
 #include <libhair/core/strands.h>
-#include <libhair/density/density_map.h>
 #include <libhair/light/light_space.h>
+#include <libhair/shadow/density_map.h>
 #include <libhair/shadow/methods/deep_opacity_map.h>
 #include <libhair/shadow/methods/deep_shadow_map.h>
 #include <libhair/shadow/methods/density_clustering.h>

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <vector>
 
-#include <libhair/density/deposit.h>
+#include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/transmittance.h>
 

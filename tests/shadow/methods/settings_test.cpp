@@ -33,8 +33,8 @@ TEST(ImageMethods, RefuseSettingsOutOfRange) {
   expectRefused(makeDeepOpacityMap, &Deep::layers, 0, -1, 256);
   expectRefused(makeDeepOpacityMap, &Deep::depth, 0, -1e-3f, kNaN, kInfinite);
   expectRefused(makeDeepOpacityMap, &Deep::depthBits, 0, 7, 24, 64);
-  expectRefused(makeDensityMapMethod, &DensityMapSettings::cells, 1, 1025);
-  expectRefused(makeDensityMapMethod, &DensityMapSettings::quantity, Quantity::Length);
+  int DensityMapSettings::* const cells = &DensityMapSettings::cells;
+  expectRefused(makeDensityMapMethod, cells, 1, 1025);
   // Two hundred layers are fine, but not if each is twice as thick as the last.
   Deep many;
   many.layers = 200;

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <libhair/density/density_map.h>
+#include <libhair/density/density_grid.h>
 
 namespace hair {
 
@@ -18,16 +18,16 @@ struct BrickRange {
 
 /// The bricks across the light (axis 1 or 2) that a filter may read: those of the hair, and of what
 /// a footprint that meets the hair covers beside it, 2 · 10 + 2 cells at most.
-inline BrickRange bricksToRead(const DensityMap& map, int axis) {
+inline BrickRange bricksToRead(const DensityGrid& grid, int axis) {
   constexpr int kBeside = 24;
-  const int perAxis = map.bricks.perAxis()[axis];
+  const int perAxis = grid.bricks.perAxis()[axis];
   const int size = axis == 1 ? brick::kY : brick::kZ;
-  const std::int64_t cells = std::int64_t{map.upper[axis]} - map.lower[axis] + 1 + 2 * kBeside;
+  const std::int64_t cells = std::int64_t{grid.upper[axis]} - grid.lower[axis] + 1 + 2 * kBeside;
   // No brick may be met twice.
-  if (map.empty() || cells + size > map.settings.cells) return {0, perAxis, perAxis};
-  const int base = map.frame.base[axis];
-  const int first = map.wrap(base + map.lower[axis] - kBeside) / size;
-  const int last = map.wrap(base + map.upper[axis] + kBeside) / size;
+  if (grid.empty() || cells + size > grid.settings.cells) return {0, perAxis, perAxis};
+  const int base = grid.frame.base[axis];
+  const int first = grid.wrap(base + grid.lower[axis] - kBeside) / size;
+  const int last = grid.wrap(base + grid.upper[axis] + kBeside) / size;
   return {first, (last - first + perAxis) % perAxis + 1, perAxis};
 }
 

@@ -1,0 +1,91 @@
+#include <libhair/density/density_grid.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <libhair/core/error.h>
+
+namespace hair {
+
+void validate(const DensityGridSettings& s) {
+  require(s.cells >= 2 && s.cells <= 1024, "cells: ", s.cells, " is not in 2 to 1024");
+  require(s.cellSize >= 1e-6f && s.cellSize <= 1e6f, "density grid: cell size ", s.cellSize,
+          " m is not in 1e-6 to 1e6");
+}
+
+int DensityGrid::depth() const {
+  if (empty()) return 0;
+  return static_cast<int>(
+      std::min<std::int64_t>(std::int64_t{upper.x} - lower.x + 1, settings.cells));
+}
+
+bool DensityGrid::aliased() const {
+  if (empty()) return false;
+  for (int c = 0; c < 3; ++c)
+    if (std::int64_t{upper[c]} - lower[c] >= settings.cells) return true;
+  return false;
+}
+
+float DensityGrid::density(glm::ivec3 cell) const {
+  if (glm::any(glm::lessThan(cell, lower)) || glm::any(glm::greaterThan(cell, upper))) return 0;
+  const float volume = settings.cellSize * settings.cellSize * settings.cellSize;
+  return static_cast<float>(count(cell)) * (quantum / volume);
+}
+
+void clear(DensityGrid& grid, const DensityGridSettings& settings, const GridSpace& space) {
+  validate(settings);
+  if (!grid.bricks.valid() || grid.settings.cells != settings.cells) {
+    grid.bricks = BrickStore(settings.cells);
+    grid.workers.clear();
+  } else {
+    grid.bricks.clear();
+    // Empty but after an exception.
+    for (BrickStore& worker : grid.workers) worker.clear();
+  }
+  grid.saturatedCells = 0;
+  grid.settings = settings;
+  grid.space = space;
+  grid.frame = makeCellFrame(space, glm::vec3(0), settings.cellSize, settings.cells);
+  grid.quantum = 0;
+  grid.lower = glm::ivec3(INT_MAX);
+  grid.upper = glm::ivec3(INT_MIN);
+}
+
+DensitySample sampleDensity(const DensityGrid& grid, glm::vec3 p) {
+  if (grid.empty()) return {};
+  const glm::vec3 u = grid.frame.cellCoordinates(p) - 0.5f;
+  const glm::ivec3 c(floorToInt(u.x), floorToInt(u.y), floorToInt(u.z));
+  const glm::vec3 f = u - glm::vec3(c);
+  // As DensityGrid::density of the eight cells, each axis wrapped once.
+  glm::ivec3 at[2];
+  glm::bvec3 inside[2];
+  for (int k = 0; k < 2; ++k) {
+    at[k] = grid.wrap(c + k);
+    inside[k] = glm::bvec3(glm::ivec3(glm::greaterThanEqual(c + k, grid.lower)) *
+                           glm::ivec3(glm::lessThanEqual(c + k, grid.upper)));
+  }
+  const float cellSize = grid.settings.cellSize;
+  const float perCount = grid.quantum / (cellSize * cellSize * cellSize);
+  float d[2][2][2];
+  for (int x = 0; x < 2; ++x)
+    for (int y = 0; y < 2; ++y)
+      for (int z = 0; z < 2; ++z)
+        d[x][y][z] =
+            inside[x].x && inside[y].y && inside[z].z
+                ? static_cast<float>(grid.bricks.count({at[x].x, at[y].y, at[z].z})) * perCount
+                : 0.0f;
+  // Along z, then y, then x; a derivative replaces the mean of two values by their difference.
+  float alongZ[2][2], alongY[2], acrossY[2], acrossZ[2];
+  for (int x = 0; x < 2; ++x) {
+    for (int y = 0; y < 2; ++y) alongZ[x][y] = glm::mix(d[x][y][0], d[x][y][1], f.z);
+    alongY[x] = glm::mix(alongZ[x][0], alongZ[x][1], f.y);
+    acrossY[x] = alongZ[x][1] - alongZ[x][0];
+    acrossZ[x] = glm::mix(d[x][0][1] - d[x][0][0], d[x][1][1] - d[x][1][0], f.y);
+  }
+  const glm::vec3 perCell(alongY[1] - alongY[0], glm::mix(acrossY[0], acrossY[1], f.x),
+                          glm::mix(acrossZ[0], acrossZ[1], f.x));
+  // d/dworld = (dcell/dworld)^T d/dcell.
+  return {glm::mix(alongY[0], alongY[1], f.x), glm::transpose(grid.frame.cellFromWorld) * perCell};
+}
+
+}  // namespace hair
