@@ -15,10 +15,6 @@ namespace HAIR_API hair {
 /// level has to ask for it again. Throws Error for a level out of range and another groom's detail.
 void setLevel(const GroomDetail& detail, const LevelOfDetail& level, Wisps& wisps);
 
-/// Makes strands on their way out as faint as they are narrow: multiplies the opacity (highest
-/// byte) of their colours, [pointCount].
-void fadeColours(const Wisps& wisps, std::span<std::uint32_t> colours);
-
 /// Draws strands 0, stride, 2 · stride ... with all of their points, whatever the level, after
 /// prepareWisps. `out` has all strands of the groom; the others have no points. Threads over
 /// strands.

@@ -62,6 +62,7 @@ void Simulation::lettingGo() {
   points_.letGo(hair_->wisps.points);
   first_.letGo(hair_->wisps.drawn.first);
   transmittance_.letGo(hair_->transmittance);
+  radiance_.letGo(hair_->radiance);
   colours_.letGo(hair_->colours);
 }
 
@@ -70,7 +71,8 @@ void Simulation::becoming() {
   const std::size_t points = hair_->wisps.points.size();
   const std::size_t lights = settings.shadow ? settings.lights.size() : 0;
   transmittance_.resizing(hair_->transmittance, lights * points);
-  colours_.resizing(hair_->colours, settings.shade ? points : 0);
+  radiance_.resizing(hair_->radiance, settings.shade && settings.radiance ? points : 0);
+  colours_.resizing(hair_->colours, settings.shade && settings.encode ? points : 0);
 }
 
 void Simulation::frameTo(Body next, double seconds) {
@@ -118,6 +120,7 @@ void Simulation::restart(double settle, const BodyChange& change) {
   // Settling makes neither shadows nor colours; light() makes them again.
   if (hair_->level != hair_->wisps.drawn.level) lettingGo();
   transmittance_.letGo(hair_->transmittance);
+  radiance_.letGo(hair_->radiance);
   colours_.letGo(hair_->colours);
   FrameProfile unused{};
   fieldsGiven_ = next.fields;
@@ -240,6 +243,11 @@ py::array Simulation::transmittance() {
   const auto points = static_cast<py::ssize_t>(hair_->wisps.points.size());
   const auto lights = points > 0 ? static_cast<py::ssize_t>(values.size()) / points : 0;
   return transmittance_.view<float>(hair_, values, {lights, points});
+}
+
+py::array Simulation::radiance() {
+  const auto& values = idleHair().radiance;
+  return radiance_.view<float>(hair_, values, {static_cast<py::ssize_t>(values.size()), 3});
 }
 
 py::array Simulation::colours() {

@@ -54,6 +54,7 @@ class Simulation {
   py::array points();
   py::array first();
   py::array transmittance();
+  py::array radiance();
   py::array colours();
   Strands strands();
   py::array guidePoints() const;
@@ -95,7 +96,7 @@ class Simulation {
   std::shared_ptr<Hair> hair_;
   FrameProfile profile_{};
   bool busy_ = false;
-  SharedVector<glm::vec3> points_;
+  SharedVector<glm::vec3> points_, radiance_;
   SharedVector<float> transmittance_;
   SharedVector<std::uint32_t> first_, colours_;
 };
