@@ -7,7 +7,9 @@
 #include <benchmark/benchmark.h>
 
 #include <libhair/core/parallel.h>
-#include <libhair/shade/kajiya_kay.h>
+#include <libhair/shade/appearance.h>
+#include <libhair/shade/encode.h>
+#include <libhair/shade/literal.h>
 #include <libhair/shadow/literal.h>
 #include <tests/shadow/fixture.h>
 
@@ -170,17 +172,46 @@ void literalFilter(benchmark::State& state) {
 }
 BENCHMARK(literalFilter)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void shade(benchmark::State& state) {
+/// What shading makes, and how: the ways are compared in one run.
+enum class Makes { Colours, Radiance, Both, RadianceThenColours };
+
+// Arguments: threads, the paper's model or the default one, Makes, strands.
+void shading(benchmark::State& state) {
   const ThreadLimit limit(threads(state));
+  const StrandSet& strands = sceneOf(state.range(3));
+  const auto makes = static_cast<Makes>(state.range(2));
+  const std::vector<float> t(strands.pointCount(), 0.5f);
+  std::vector<glm::vec3> radiance(makes == Makes::Colours ? 0 : strands.pointCount());
+  std::vector<std::uint32_t> colours(makes == Makes::Radiance ? 0 : strands.pointCount());
+  const Light light = Light::parallel(kLight);
+  const Illumination illumination{{&light, 1}, glm::vec3(0), {0, 0, 1}, t, {}};
+  const Appearance appearance = state.range(1) ? KajiyaKaySettings() : KajiyaKaySettings::plain();
+  for (auto _ : state) {
+    if (makes == Makes::RadianceThenColours) {
+      shade(strands, illumination, appearance, radiance);
+      encodeSrgb(radiance, colours);
+    } else {
+      shade(strands, illumination, appearance, radiance, colours);
+    }
+  }
+  done(state, strands);
+}
+BENCHMARK(shading)
+    ->ArgNames({"threads", "full", "makes", "strands"})
+    ->ArgsProduct({{1, 2}, {0, 1}, {0, 1, 2, 3}, {3226}})
+    ->ArgsProduct({{1, 2}, {1}, {0, 1, 2, 3}, {33500}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void literalShading(benchmark::State& state) {
   const std::vector<float> t(scene().pointCount(), 0.5f);
-  std::vector<std::uint32_t> out(scene().pointCount());
+  std::vector<glm::vec3> radiance(scene().pointCount());
   const Light light = Light::parallel(kLight);
   for (auto _ : state)
-    shadeKajiyaKay(scene(), {{&light, 1}, glm::vec3(0), {0, 0, 1}, t, {}},
-                   state.range(1) ? KajiyaKaySettings() : KajiyaKaySettings::plain(), out);
+    literal::shade(scene(), {{&light, 1}, glm::vec3(0), {0, 0, 1}, t, {}}, {}, radiance);
   done(state);
 }
-BENCHMARK(shade)->ArgsProduct({{1, 2}, {0, 1}})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(literalShading)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 // Shadows and colours under several lights, each with its map: the time goes with their number.
 // Second argument: lights; third: 0 parallel, 1 at points.
@@ -204,7 +235,7 @@ void lights(benchmark::State& state) {
       computeTransmittance(maps[l]);
       sampleTransmittance(maps[l], scene().points, std::span(t).subspan(l * n, n));
     }
-    shadeKajiyaKay(scene(), {all, pivot, {0, 0, 1}, t, {}}, KajiyaKaySettings(), out);
+    shade(scene(), {all, pivot, {0, 0, 1}, t, {}}, {}, {}, out);
   }
   done(state);
 }

@@ -16,7 +16,7 @@ FrameSettings frameSettings(const Subject& subject, const PerformanceOptions& op
   settings.guides.linkSolver = options.linkSolver;
   settings.guides.iterations = options.linkIterations;
   settings.shadow = options.shadow;
-  settings.look = subject.look;
+  settings.appearance = subject.look;
   settings.lights = options.lights;
   if (settings.lights.empty()) settings.lights = {kDefaultLight};
   for (Light& light : settings.lights)

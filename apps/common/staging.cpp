@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include <libhair/core/parallel.h>
-#include <libhair/shade/kajiya_kay.h>
+#include <libhair/shade/appearance.h>
+#include <libhair/shade/encode.h>
 #include <libhair/shadow/filter.h>
 
 namespace hair {
@@ -88,7 +89,8 @@ void Staging::frameHead(float yaw, float pitch, float distance) {
 // The scalp has the hair's own colour, so that no skin shows between the few strands that are
 // drawn, and the neck that of the body, which it sinks into.
 void Staging::dyeScalp() {
-  const glm::vec3 dye = performance_.settings.look.rootColour;
+  const glm::vec3 dye = std::visit([](const auto& look) { return look.rootColour; },
+                                   performance_.settings.appearance);
   if (dye == dye_ && !scalp_.empty()) return;
   dye_ = dye;
   scalp_.resize(bare_.size());
@@ -133,16 +135,18 @@ void Staging::updateHair(draw::Renderer& renderer) {
     settings.lights = scene.lights;
     performance_.relight();
   }
-  hair.colours.resize(points);
   const StageTimer timer(performance_.profile, Stage::Shade, static_cast<std::int64_t>(points));
-  shadeKajiyaKay(hair.strands(), hair.illumination(settings), settings.look, hair.colours);
-  fadeColours(hair.wisps, hair.colours);
+  const auto shadeBy = [&](const Illumination& illumination, std::vector<std::uint32_t>& colours) {
+    const DrawnHair drawn = hair.wisps.drawnHair();
+    colours.resize(points);
+    shade(drawn.strands, illumination, settings.appearance, {}, colours);
+    fadeColours(drawn.strands.first, drawn.weights, colours);
+  };
+  Illumination illumination = hair.illumination(settings);
+  shadeBy(illumination, hair.colours);
   if (scene.sideBySide) {
-    unshadowed_.resize(hair.colours.size());
-    Illumination unshadowed = hair.illumination(settings);
-    unshadowed.transmittance = {};
-    shadeKajiyaKay(hair.strands(), unshadowed, settings.look, unshadowed_);
-    fadeColours(hair.wisps, unshadowed_);
+    illumination.transmittance = {};
+    shadeBy(illumination, unshadowed_);
   }
   layer.colours = hair.colours;
   layer.leftColours = unshadowed_;

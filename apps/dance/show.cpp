@@ -59,7 +59,7 @@ Show::Show(const DanceOptions& options, const Controls::Growth& growth)
 
 void Show::apply(const Controls& c) {
   FrameSettings& settings = performance.settings;
-  settings.look = c.look;
+  settings.appearance = c.look;
   staging.headShadowsHair = c.headShadowsHair;
   staging.follow = c.follow;
   staging.shown = c.internals;

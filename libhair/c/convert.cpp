@@ -95,7 +95,7 @@ void forFields(C& c, Own& own, Copy copy) {
   copy(c.map_filter, own.map.filter, "map_filter", Filter::Footprint);
   copy(c.map_footprint, own.map.footprint, "map_footprint");
 
-  auto& look = own.look;
+  auto& look = std::get<KajiyaKaySettings>(own.appearance);  // the one that C has
   copy(c.shade, own.shade, "shade");
   copy(c.eye, own.eye, "eye");
   copy(c.root_colour, look.rootColour, "root_colour");
@@ -109,6 +109,8 @@ void forFields(C& c, Own& own, Copy copy) {
   copy(c.second_exponent, look.secondExponent, "second_exponent");
   copy(c.first_shift, look.firstShift, "first_shift");
   copy(c.second_shift, look.secondShift, "second_shift");
+  copy(c.encode, own.encode, "encode");
+  copy(c.radiance, own.radiance, "radiance");
 }
 
 }  // namespace

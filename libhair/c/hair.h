@@ -152,12 +152,14 @@ typedef struct hair_settings {
   uint32_t map_filter;  /* HAIR_FILTER_... */
   float map_footprint;  /* metres; of HAIR_FILTER_FOOTPRINT */
 
-  uint32_t shade;       /* colours are made */
+  uint32_t shade;       /* colours are made, and radiance where it is asked for below */
   float eye[3];         /* where the picture is taken from, metres */
   float root_colour[3]; /* linear */
   float tip_colour[3];  /* linear */
   float variation, ambient, diffuse, specular, exponent;
   float second_specular, second_exponent, first_shift, second_shift;
+  uint32_t encode;   /* colours are made while shade is on; default 1 */
+  uint32_t radiance; /* linear radiance is kept while shade is on; default 0 */
 } hair_settings;
 
 enum { HAIR_STYLE_SMOOTH = 0, HAIR_STYLE_CURLY = 1, HAIR_STYLE_LONG = 2 };
@@ -208,6 +210,8 @@ typedef struct hair_view {
   double time;                /* simulated seconds */
   uint32_t drawn_count;       /* strands that have points: all, but for hair_set_detail */
   float wider;                /* so much wider are strands to be drawn than all of them would be */
+  const float* radiance;      /* [3 * point_count] linear RGB, of which colours are the bytes; >= 0,
+                                 may be above 1; null unless hair_settings.radiance is on */
 } hair_view;
 
 /* A density map, for shadows on strands of one's own. */

@@ -68,6 +68,7 @@ hair_status hair_read(const hair_instance* hair, hair_view* view) {
     v.wider = h.wisps.drawn.wider;
     v.transmittance = h.transmittance.empty() ? nullptr : h.transmittance.data();
     v.colours = h.colours.empty() ? nullptr : reinterpret_cast<const uint8_t*>(h.colours.data());
+    v.radiance = h.radiance.empty() ? nullptr : &h.radiance.data()->x;
     v.time = h.time;
     hand(v, view, view->size, "hair_view");
   });

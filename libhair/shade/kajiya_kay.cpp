@@ -6,16 +6,14 @@
 #include <hwy/foreach_target.h>
 #include <libhair/core/simd-inl.h>
 
-#include <libhair/core/random.h>
+#include <libhair/shade/encode-inl.h>
 #include <libhair/shade/kajiya_kay.h>
-#include <libhair/shade/srgb.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
 constexpr std::size_t kBatch = 64;
-constexpr std::uint32_t kUseVariation = 0x5aade;
 constexpr float kNearest = 0.01f;  // no light is smaller: closer to one it grows no brighter
 
 // x^y for x in [0, 1]: by squaring where y is a whole number, as it most often is.
@@ -48,17 +46,14 @@ struct Shader {
   StrandView strands;
   const Illumination& illumination;
   const KajiyaKaySettings& settings;
-  std::uint32_t* out;
-  const std::int32_t* srgb;
+  PointWriter to;
   float cosFirst, sinFirst, cosSecond, sinSecond;
 
-  Shader(StrandView s, const Illumination& i, const KajiyaKaySettings& look,
-         std::span<std::uint32_t> o)
+  Shader(StrandView s, const Illumination& i, const KajiyaKaySettings& look, ShadedPoints out)
       : strands(s),
         illumination(i),
         settings(look),
-        out(o.data()),
-        srgb(SrgbTable::get().bytes()),
+        to{out},
         cosFirst(std::cos(look.firstShift)),
         sinFirst(std::sin(look.firstShift)),
         cosSecond(std::cos(look.secondShift)),
@@ -143,13 +138,6 @@ struct Shader {
         x.white + highlight(cosFirst, sinFirst, settings.specular, settings.exponent) * colour;
   }
 
-  // SrgbTable of sixteen values.
-  HWY_INLINE Ints byteOf(Floats linear) const {
-    const Floats least(SrgbTable::kLeast), one(1.0f);
-    const Floats x = select(linear > least, min(linear, one), least);
-    return gather(srgb, shiftRight<23 - SrgbTable::kMantissaBits>(asInts(x) - asInts(least)));
-  }
-
   HWY_INLINE void shade(const Batch& batch, std::size_t i) const {
     const std::size_t p = batch.first + i, n = std::min(kLanes, batch.count - i);
     Points x;
@@ -164,18 +152,10 @@ struct Shader {
         full = full * loadFloats(padded(illumination.visibility.data() + at, n, room));
       add(illumination.lights[l], full, x);
     }
-    const Ints red = byteOf(loadFloats(batch.red + i) * x.own.x + x.white.x);
-    const Ints green = byteOf(loadFloats(batch.green + i) * x.own.y + x.white.y);
-    const Ints blue = byteOf(loadFloats(batch.blue + i) * x.own.z + x.white.z);
-    const Ints colour = red | shiftLeft<8>(green) | shiftLeft<16>(blue) |
-                        Ints(static_cast<std::int32_t>(0xff000000u));
-    if (n == kLanes) {
-      store(colour, reinterpret_cast<std::int32_t*>(out + p));
-    } else {
-      std::int32_t words[kLanes];
-      store(colour, words);
-      std::copy_n(words, n, reinterpret_cast<std::int32_t*>(out + p));
-    }
+    to.put({loadFloats(batch.red + i) * x.own.x + x.white.x,
+            loadFloats(batch.green + i) * x.own.y + x.white.y,
+            loadFloats(batch.blue + i) * x.own.z + x.white.z},
+           p, n);
   }
 
   HWY_INLINE void flush(Batch& batch) const {
@@ -190,9 +170,7 @@ struct Shader {
     batch.first = strands.first[begin];
     for (std::size_t s = begin; s < end; ++s) {
       const std::size_t n = strands.first[s + 1] - strands.first[s];
-      const float lightness =
-          1.0f + settings.variation *
-                     (2.0f * uniform(static_cast<std::uint32_t>(s), kUseVariation) - 1.0f);
+      const float lightness = settings.lightnessOf(static_cast<std::uint32_t>(s));
       const glm::vec3 root = lightness * settings.rootColour;
       const glm::vec3 perPoint = (lightness * settings.tipColour - root) /
                                  static_cast<float>(std::max<std::size_t>(n, 2) - 1);
@@ -215,9 +193,9 @@ struct Shader {
   }
 };
 
-void shadeStrands(StrandView strands, const Illumination& illumination,
-                  const KajiyaKaySettings& settings, std::span<std::uint32_t> out,
-                  std::size_t begin, std::size_t end) {
+void shadeRange(StrandView strands, std::size_t begin, std::size_t end,
+                const Illumination& illumination, const KajiyaKaySettings& settings,
+                ShadedPoints out) {
   Shader(strands, illumination, settings, out).run(begin, end);
 }
 
@@ -228,14 +206,19 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <libhair/core/error.h>
-#include <libhair/core/parallel.h>
 
 namespace hair {
 
+namespace {
+
+HWY_EXPORT(shadeRange);
+
+}  // namespace
+
 void validate(const KajiyaKaySettings& s) {
   const auto field = [](const char* name, float value, float least, float most) {
-    require(value >= least && value <= most, "look: ", name, " = ", value, " is not in ", least,
-            " to ", most);
+    require(value >= least && value <= most, "appearance: ", name, " = ", value, " is not in ",
+            least, " to ", most);
   };
   for (int c = 0; c < 3; ++c) {
     field("rootColour", s.rootColour[c], 0, 1e6f);
@@ -252,29 +235,6 @@ void validate(const KajiyaKaySettings& s) {
   field("secondShift", s.secondShift, -10, 10);
 }
 
-namespace {
-
-HWY_EXPORT(shadeStrands);
-
-void check(StrandView strands, const Illumination& illumination, const KajiyaKaySettings& settings,
-           std::size_t room) {
-  validate(settings);
-  const glm::vec3 eye = illumination.eye;
-  require(glm::dot(eye, eye) < 1e30f, "eye: (", eye.x, ", ", eye.y, ", ", eye.z,
-          ") is not finite, or beyond 1e15 m");
-  const std::size_t points = strands.pointCount(), lights = illumination.lights.size();
-  const auto fits = [&](std::span<const float> values, const char* what) {
-    require(values.empty() || values.size() == lights * points, "shadeKajiyaKay: ", points,
-            " points and ", lights, " lights but ", values.size(), ' ', what);
-  };
-  fits(illumination.transmittance, "transmittances");
-  fits(illumination.visibility, "visibilities");
-  require(room == points, "shadeKajiyaKay: ", points, " points but room for ", room, " colours");
-  for (const Light& light : illumination.lights) lightSpaceOf(light, illumination.pivot);
-}
-
-}  // namespace
-
 KajiyaKaySettings KajiyaKaySettings::plain() {
   KajiyaKaySettings settings;
   settings.variation = 0;
@@ -283,21 +243,11 @@ KajiyaKaySettings KajiyaKaySettings::plain() {
   return settings;
 }
 
-void shadeKajiyaKay(StrandView strands, std::size_t begin, std::size_t end,
-                    const Illumination& illumination, const KajiyaKaySettings& settings,
-                    std::span<std::uint32_t> out) {
-  check(strands, illumination, settings, out.size());
+void shadeStrands(StrandView strands, std::size_t begin, std::size_t end,
+                  const Illumination& illumination, const KajiyaKaySettings& settings,
+                  ShadedPoints out) {
   if (begin < end)
-    HWY_DYNAMIC_DISPATCH(shadeStrands)(strands, illumination, settings, out, begin, end);
-}
-
-void shadeKajiyaKay(StrandView strands, const Illumination& illumination,
-                    const KajiyaKaySettings& settings, std::span<std::uint32_t> out) {
-  check(strands, illumination, settings, out.size());
-  const auto shade = HWY_DYNAMIC_DISPATCH(shadeStrands);
-  parallelFor(strands.strandCount(), 64, [&](std::size_t begin, std::size_t end) {
-    shade(strands, illumination, settings, out, begin, end);
-  });
+    HWY_DYNAMIC_DISPATCH(shadeRange)(strands, begin, end, illumination, settings, out);
 }
 
 }  // namespace hair

@@ -1,17 +1,27 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
+#include <libhair/core/random.h>
 #include <libhair/core/strands.h>
-#include <libhair/light/light.h>
+#include <libhair/shade/illumination.h>
+#include <libhair/shade/shaded_points.h>
 
 namespace HAIR_API hair {
 
-/// How hair looks (Kajiya and Kay 1989). Colours are linear, not sRGB.
+/// How hair looks (Kajiya and Kay 1989; Bertails et al. 2005, section 3.3). Colours are linear, not
+/// sRGB. Light that leaves a point, summed over the lights l:
+///
+///   Phi = Phi_ambient + sum_l T_l · V_l · E_l · (Phi_diffuse,l + Phi_specular,l)
+///
+/// with E_l the light's colour, of a light at a point times (its distance from the pivot / its
+/// distance from the point)², where hair nearer than a centimetre gets what a centimetre would.
+/// Ambient light belongs to no light and is white. A strand of one point has no direction and is
+/// seen in its ambient colour. literal.h has the formula in full.
 struct KajiyaKaySettings {
   glm::vec3 rootColour{0.115f, 0.055f, 0.026f};  ///< at the root
   glm::vec3 tipColour{0.19f, 0.098f, 0.047f};    ///< in between linear along the strand
@@ -29,41 +39,20 @@ struct KajiyaKaySettings {
 
   /// The model of the paper and nothing else: one highlight, unmoved, all strands alike.
   static KajiyaKaySettings plain();
+
+  /// Factor of the colours of a strand, the same every time: [1 - variation, 1 + variation].
+  float lightnessOf(std::uint32_t strand) const {
+    constexpr std::uint32_t kUse = 0x5aade;  // of a random number
+    return 1.0f + variation * (2.0f * uniform(strand, kUse) - 1.0f);
+  }
 };
 
 /// Throws Error that names the field and its range.
 void validate(const KajiyaKaySettings& settings);
 
-/// What lights the hair, and where it is seen from. Refers to the caller's arrays.
-struct Illumination {
-  std::span<const Light> lights;  ///< empty: ambient light only
-  glm::vec3 pivot{0};             ///< where the colours of lights at points are given (Light)
-  glm::vec3 eye{0, 0, 1};         ///< where the picture is taken from, metres
-  /// [lights · pointCount] T of the first light's points, then of the second's; or empty: no
-  /// shadows, T = 1.
-  std::span<const float> transmittance;
-  /// [lights · pointCount] V, what opaque things (head, body) leave of each light; or empty: all.
-  std::span<const float> visibility;
-};
-
-/// Colours of all points (Bertails et al. 2005, section 3.3), summed over the lights l:
-///
-///   Phi = Phi_ambient + sum_l T_l · V_l · E_l · (Phi_diffuse,l + Phi_specular,l)
-///
-/// with E_l the light's colour, of a light at a point times (its distance from the pivot / its
-/// distance from the point)², where hair nearer than a centimetre gets what a centimetre would.
-/// Ambient light belongs to no light and is white. Everything before the sRGB encoding is linear in
-/// the lights: colours of one alone and another alone add up, less the ambient one.
-/// `out`: [pointCount] sRGB, bytes in memory R, G, B, A with A = 255.
-/// A strand of one point has no direction and is drawn in its ambient colour.
-/// Same bits on every instruction set, for any number of threads, and for strands alone. Throws
-/// Error where arrays do not fit, and as lightSpaceOf does.
-void shadeKajiyaKay(StrandView strands, const Illumination& illumination,
-                    const KajiyaKaySettings& settings, std::span<std::uint32_t> out);
-
-/// Strands begin to end alone, on the calling thread; all arrays as above, [pointCount].
-void shadeKajiyaKay(StrandView strands, std::size_t begin, std::size_t end,
-                    const Illumination& illumination, const KajiyaKaySettings& settings,
-                    std::span<std::uint32_t> out);
+/// Strands begin to end, on the calling thread; `shade` (appearance.h) checks and calls it.
+void shadeStrands(StrandView strands, std::size_t begin, std::size_t end,
+                  const Illumination& illumination, const KajiyaKaySettings& settings,
+                  ShadedPoints out);
 
 }  // namespace hair

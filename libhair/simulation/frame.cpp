@@ -22,7 +22,7 @@ void validate(const FrameSettings& s) {
   for (const Light& light : s.lights) validate(light);
   require(s.lights.size() <= 256, "frame settings: ", s.lights.size(), " lights; at most 256");
   validate(s.map);
-  validate(s.look);
+  validate(s.appearance);
   require(glm::dot(s.eye, s.eye) < 1e30f, "eye: (", s.eye.x, ", ", s.eye.y, ", ", s.eye.z,
           ") is not finite, or beyond 1e15 m");
 }

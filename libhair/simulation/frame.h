@@ -13,7 +13,7 @@
 #include <libhair/light/light.h>
 #include <libhair/model/groom.h>
 #include <libhair/repulsion/repulsion.h>
-#include <libhair/shade/kajiya_kay.h>
+#include <libhair/shade/appearance.h>
 #include <libhair/shadow/density_map.h>
 #include <libhair/wisps/level.h>
 #include <libhair/wisps/wisps.h>
@@ -36,8 +36,10 @@ struct FrameSettings {
   /// Head and body in every light's map, as soft as its cells (occlude). A program that draws has
   /// sharper shadows of them in its own images, and hands those over as Hair::visibility.
   bool bodyShadow = false;
-  bool shade = true;       ///< off: no colours are computed
-  KajiyaKaySettings look;  ///< colours and highlights
+  bool shade = true;       ///< off: neither radiance nor colours are computed
+  bool encode = true;      ///< Hair::colours are made; off: no bytes
+  bool radiance = false;   ///< Hair::radiance is kept, 12 bytes a point; off: none is stored
+  Appearance appearance;   ///< model of how hair looks, its colours and highlights
   glm::vec3 eye{0, 0, 1};  ///< where the picture is taken from, metres; highlights move with it
 };
 
@@ -87,7 +89,8 @@ struct Hair {
   std::vector<float> transmittance;     ///< [lights · pointCount]; empty while shadows are off
   std::vector<float> visibility;        ///< [lights · pointCount], what head and body leave of each
                                         ///< light; the caller's to fill, empty: all of it
-  std::vector<std::uint32_t> colours;   ///< [pointCount] sRGB bytes (shadeKajiyaKay); or empty
+  std::vector<glm::vec3> radiance;      ///< [pointCount] linear RGB (shade); or empty
+  std::vector<std::uint32_t> colours;   ///< [pointCount] sRGB bytes of it (encodeSrgb); or empty
   RigidTransform worldFromHead;         ///< at the end of the last frame
   std::vector<Capsule> capsules;        ///< body then
   std::vector<Plane> planes;            ///< scenery then
@@ -103,7 +106,7 @@ struct Hair {
   /// What lights at points look at: the joint that the head turns on. Hair that moves does not move
   /// it, so that neither cells nor brightness follow the hair's motion.
   glm::vec3 pivot() const { return worldFromHead.translation; }
-  /// What shadeKajiyaKay is told: all of the settings' lights, as the hair's arrays have them.
+  /// What shade is told: all of the settings' lights, as the hair's arrays have them.
   /// The settings and this must stay as they are while it is used.
   Illumination illumination(const FrameSettings& settings) const {
     return {settings.lights, pivot(), settings.eye, transmittance, visibility};

@@ -87,7 +87,9 @@ class Simulation {
   StrandView strands() const { return hair_.strands(); }  ///< drawn last, world space, metres
   /// [lights · pointCount], [0, 1]: what of each light arrives; empty while shadows are off.
   std::span<const float> transmittance() const { return hair_.transmittance; }
-  /// [pointCount] sRGB bytes R, G, B, A in memory; empty while shading is off.
+  /// [pointCount] linear RGB; empty unless FrameSettings::radiance keeps it.
+  std::span<const glm::vec3> radiance() const { return hair_.radiance; }
+  /// [pointCount] sRGB bytes R, G, B, A in memory; empty while shading or its encoding is off.
   std::span<const std::uint32_t> colours() const { return hair_.colours; }
   double time() const { return hair_.time; }  ///< simulated seconds
   /// The body as it was last given. Valid until the next call.

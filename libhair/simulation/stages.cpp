@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
+#include <libhair/shade/encode.h>
 #include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/occlude.h>
@@ -156,11 +157,15 @@ void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
 }
 
 void shade(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
-  hair.colours.resize(settings.shade ? hair.wisps.points.size() : 0);
+  const std::size_t points = hair.wisps.points.size();
+  hair.radiance.resize(settings.shade && settings.radiance ? points : 0);
+  hair.colours.resize(settings.shade && settings.encode ? points : 0);
   if (!settings.shade) return;
   const StageTimer timer(profile, Stage::Shade, pointsOf(hair));
-  shadeKajiyaKay(hair.strands(), hair.illumination(settings), settings.look, hair.colours);
-  fadeColours(hair.wisps, hair.colours);
+  const DrawnHair drawn = hair.wisps.drawnHair();
+  shade(drawn.strands, hair.illumination(settings), settings.appearance, hair.radiance,
+        hair.colours);
+  if (settings.encode) fadeColours(drawn.strands.first, drawn.weights, hair.colours);
 }
 
 }  // namespace hair

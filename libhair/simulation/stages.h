@@ -35,7 +35,7 @@ void repelFromDensity(const FrameSettings& settings, float seconds, Hair& hair,
 /// density/, shadow/: what of each light arrives at each point.
 void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile);
 
-/// shade/: the colours of all points.
+/// shade/: the radiance of all points, and their colours.
 void shade(const FrameSettings& settings, Hair& hair, FrameProfile& profile);
 
 }  // namespace hair

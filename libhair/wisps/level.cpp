@@ -65,18 +65,6 @@ void setLevel(const GroomDetail& detail, const LevelOfDetail& level, Wisps& wisp
   wisps.points.resize(points);
 }
 
-void fadeColours(const Wisps& wisps, std::span<std::uint32_t> colours) {
-  const DrawnPart& drawn = wisps.drawn;
-  for (std::size_t s = 0; s < drawn.weights.size(); ++s) {
-    if (drawn.weights[s] >= 1) continue;
-    const auto weight = static_cast<std::uint32_t>(std::lround(drawn.weights[s] * 65536));
-    for (std::uint32_t p = drawn.first[s]; p < drawn.first[s + 1]; ++p) {
-      const std::uint32_t opacity = ((colours[p] >> 24) * weight + 32768) >> 16;
-      colours[p] = (colours[p] & 0xffffffu) | opacity << 24;
-    }
-  }
-}
-
 void drawEvery(std::uint32_t stride, const Wisps& wisps, StrandSet& out) {
   require(stride > 0, "drawEvery: a stride of 0 strands");
   const Groom& groom = *wisps.groom;

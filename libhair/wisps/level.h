@@ -15,10 +15,6 @@ namespace HAIR_API hair {
 /// levels need not allocate. Throws Error for a level out of range and another groom's detail.
 void setLevel(const GroomDetail& detail, const LevelOfDetail& level, Wisps& wisps);
 
-/// Fades strands that are about to leave: multiplies the opacity (highest byte) of their `colours`
-/// [pointCount] by their weights.
-void fadeColours(const Wisps& wisps, std::span<std::uint32_t> colours);
-
 /// Draws every stride-th strand (0, stride, 2 · stride ...) with all of its points, at any level,
 /// after prepareWisps. `out` has all strands of the groom; the others have no points. Threads over
 /// strands. Throws Error for a stride of 0.

@@ -33,6 +33,7 @@ look = libhair.KajiyaKaySettings(root_colour=(0.3, 0.13, 0.05), tip_colour=(0.5,
 eye = (0, 0.2, 1)
 lit = libhair.shade(strands, [light], look, eye=eye)
 shadowed = libhair.shade(strands, [light], look, eye=eye, transmittance=transmittance[None])
+lit, shadowed = libhair.encode_srgb(lit), libhair.encode_srgb(shadowed)
 
 
 def draw(axes, values, title):

@@ -54,6 +54,7 @@ from ._libhair import calibrate as calibrate
 from ._libhair import candidates as candidates
 from ._libhair import choose_points as choose_points
 from ._libhair import choose_shadow as choose_shadow
+from ._libhair import encode_srgb as encode_srgb
 from ._libhair import error_figures as error_figures
 from ._libhair import fit_head as fit_head
 from ._libhair import fit_map as fit_map
@@ -129,6 +130,7 @@ __all__ = [
     "candidates",
     "choose_points",
     "choose_shadow",
+    "encode_srgb",
     "error_figures",
     "fit_head",
     "fit_map",

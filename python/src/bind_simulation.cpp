@@ -61,7 +61,7 @@ was. pose: a Pose, which has world_from_head and capsules. world_from_head: Tran
 matrix. capsules: (C, 7), each a, b and radius, metres; planes: (P, 6), each a point and a unit
 normal to the free side; meshes: MeshCollider objects.
 
-points, transmittance and colours are views that follow every step. restart, change_groom,
+points, transmittance, radiance and colours are views that follow every step. restart, change_groom,
 restore_state, another level, and settings that change how many there are, may give them other
 memory: older views then go on showing what they last did. A second thread that works on the
 simulation, or looks into it, while a call is at work gets RuntimeError; settings alone may be set
@@ -141,6 +141,9 @@ seconds, None: the simulation's own time. on_frame: called with i after each fra
   c.def_property_readonly("strands", &S::strands, "Drawn hair as Strands over the same views.");
   c.def_property_readonly("transmittance", &S::transmittance,
                           "(lights, N) float32, [0, 1], of the last frame; a read-only view.");
+  c.def_property_readonly("radiance", &S::radiance,
+                          "(N, 3) float32 linear RGB, of the last frame, >= 0 and above 1 where "
+                          "light is bright; (0, 3) unless settings.radiance; a read-only view.");
   c.def_property_readonly(
       "colours", &S::colours,
       "(N, 4) uint8 sRGB and opacity, of the last frame, 255 but for strands on their way "

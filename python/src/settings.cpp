@@ -192,8 +192,10 @@ void bindLooks(py::module_& m) {
       .field("map", &FrameSettings::map, "DensityMapSettings of every light's map (fit_map).")
       .field("body_shadow", &FrameSettings::bodyShadow,
              "Whether head and body cast shadows on hair.")
-      .field("shade", &FrameSettings::shade, "Whether colours are made.")
-      .field("look", &FrameSettings::look, "KajiyaKaySettings.")
+      .field("shade", &FrameSettings::shade, "Whether radiance or colours are made.")
+      .field("encode", &FrameSettings::encode, "Whether colours (sRGB bytes) are made.")
+      .field("radiance", &FrameSettings::radiance, "Whether linear radiance is kept.")
+      .field("appearance", &FrameSettings::appearance, "How hair looks: KajiyaKaySettings.")
       .field("eye", &FrameSettings::eye, "Where the picture is taken from, (x, y, z) metres.");
 }
 

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
-#include <libhair/shade/kajiya_kay.h>
+#include <libhair/shade/appearance.h>
+#include <libhair/shade/encode.h>
 #include <libhair/shadow/automatic.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
@@ -138,7 +139,7 @@ A second build reuses the memory of the first.)")
 }
 
 py::array shade(const Strands& strands, const std::vector<Light>& lights,
-                const KajiyaKaySettings& look, const py::object& transmittance,
+                const Appearance& appearance, const py::object& transmittance,
                 const py::object& visibility, glm::vec3 eye, const std::optional<glm::vec3>& pivot,
                 const py::object& out) {
   const StrandView view = strands.view();
@@ -151,11 +152,36 @@ py::array shade(const Strands& strands, const std::vector<Light>& lights,
   Illumination illumination{lights, pivot.value_or(glm::vec3(0)), eye,
                             share(transmittance, "transmittance"), share(visibility, "visibility")};
   if (!pivot && count > 0) illumination.pivot = bounds(view.points).centre();
-  py::array result = outputOf<std::uint8_t>(out, {count, 4});
+  py::array result = outputOf<float>(out, {count, 3});
+  const auto to = spanOf<glm::vec3, float>(result);
+  withoutLock([&] { hair::shade(view, illumination, appearance, to); });
+  return result;
+}
+
+py::array encode(const py::object& radiance, const std::optional<Strands>& strands,
+                 const py::object& weights, const py::object& out) {
+  const py::array given = requirePoints(radiance, "radiance");
+  const auto from = pointsOf(given);
+  StrandView view;
+  std::span<const float> shares;
+  if (!weights.is_none()) {
+    if (!strands) throw py::value_error("encode_srgb: weights are of strands, but strands is None");
+    view = strands->view(0);
+    if (view.pointCount() != from.size())
+      throw py::value_error(text("strands: ", view.pointCount(), " points, but there are ",
+                                 from.size(), " radiances"));
+    shares =
+        spanOf<const float, float>(requireArray(weights, "weights", py::dtype::of<float>(),
+                                                {static_cast<py::ssize_t>(view.strandCount())}));
+    for (std::size_t s = 0; s < shares.size(); ++s)
+      require(shares[s] >= 0 && shares[s] <= 1, "weights: strand ", s, " has ", shares[s],
+              ", which is not in 0 to 1");
+  }
+  py::array result = outputOf<std::uint8_t>(out, {given.shape(0), 4});
   if (reinterpret_cast<std::uintptr_t>(result.data()) % alignof(std::uint32_t) != 0)
     throw py::value_error("out: not aligned to 4 bytes");
   const auto to = spanOf<std::uint32_t, std::uint8_t>(result);
-  withoutLock([&] { shadeKajiyaKay(view, illumination, look, to); });
+  withoutLock([&] { encodeSrgb(from, view.first, shares, to); });
   return result;
 }
 
@@ -177,14 +203,21 @@ the density map as measurement chose it for the footprint. pivot: what a light a
 None: the middle of the hair. at: other points (M, 3) float32, a floor say; None: the strands' own,
 without a strand's own shadow. Returns (N,) or (M,), `out` if given.)");
   m.def("shade", &shade, py::arg("strands"), py::arg("lights"),
-        py::arg("look") = KajiyaKaySettings{}, py::kw_only(), py::arg("transmittance") = py::none(),
+        py::arg("appearance") = Appearance{}, py::kw_only(), py::arg("transmittance") = py::none(),
         py::arg("visibility") = py::none(), py::arg("eye") = glm::vec3(0, 0, 1),
         py::arg("pivot") = py::none(), py::arg("out") = py::none(),
-        R"(Colours of all points, (N, 4) uint8: sRGB and 255 (Kajiya and Kay 1989).
+        R"(Light that leaves all points towards the eye: linear RGB, (N, 3) float32.
 
+It is 0 or more and has no upper end; encode_srgb makes bytes of it. appearance: KajiyaKaySettings.
 transmittance, visibility: (lights, N) float32, what hair, and what all else, leaves of each light;
 None: all. eye: where the picture is taken from, metres. pivot: where the colours of lights at points
-are given, None: the middle of the hair. out: (N, 4) uint8 to write to.)");
+are given, None: the middle of the hair. out: (N, 3) float32 to write to.)");
+  m.def("encode_srgb", &encode, py::arg("radiance"), py::kw_only(), py::arg("strands") = py::none(),
+        py::arg("weights") = py::none(), py::arg("out") = py::none(),
+        R"(Linear radiance as displays show it: sRGB and opacity, (N, 4) uint8.
+
+radiance: (N, 3) float32 linear RGB; what is above 1 is shown as 1. The opacity is 255; with strands
+and weights, (S,) float32 in [0, 1], that of a strand is its weight. out: (N, 4) uint8 to write to.)");
 }
 
 }  // namespace hair::python

@@ -68,6 +68,7 @@ void Simulation::lettingGo() {
   points_.letGo(hair.wisps.points);
   first_.letGo(hair.wisps.drawn.first);
   transmittance_.letGo(hair.transmittance);
+  radiance_.letGo(hair.radiance);
   colours_.letGo(hair.colours);
 }
 
@@ -77,7 +78,8 @@ void Simulation::becoming() {
   const std::size_t points = hair.wisps.points.size();
   const std::size_t lights = settings.shadow ? settings.lights.size() : 0;
   transmittance_.resizing(hair.transmittance, lights * points);
-  colours_.resizing(hair.colours, settings.shade ? points : 0);
+  radiance_.resizing(hair.radiance, settings.shade && settings.radiance ? points : 0);
+  colours_.resizing(hair.colours, settings.shade && settings.encode ? points : 0);
 }
 
 // A call that hands the body to the simulation. Another thread may change `settings` meanwhile: the
@@ -129,6 +131,7 @@ void Simulation::restart(double settle, const BodyChange& change) {
   // Settling makes neither shadows nor colours, but the light after it does.
   if (hair().level != hair().wisps.drawn.level) lettingGo();
   transmittance_.letGo(simulation_->hair().transmittance);
+  radiance_.letGo(simulation_->hair().radiance);
   colours_.letGo(simulation_->hair().colours);
   withBody(std::move(next),
            [&](const BodyState& body) { simulation_->restart(body, secondsOf(settle)); });
@@ -221,6 +224,11 @@ py::array Simulation::transmittance() {
   const auto points = static_cast<py::ssize_t>(hair().wisps.points.size());
   const auto lights = points > 0 ? static_cast<py::ssize_t>(values.size()) / points : 0;
   return transmittance_.view<float>(simulation_, values, {lights, points});
+}
+
+py::array Simulation::radiance() {
+  const auto& values = idleHair().radiance;
+  return radiance_.view<float>(simulation_, values, {static_cast<py::ssize_t>(values.size()), 3});
 }
 
 py::array Simulation::colours() {

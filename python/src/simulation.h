@@ -55,6 +55,7 @@ class Simulation {
   py::array points();
   py::array first();
   py::array transmittance();
+  py::array radiance();
   py::array colours();
   Strands strands();
   py::array guidePoints() const;
@@ -98,7 +99,7 @@ class Simulation {
   std::vector<Field> fieldsGiven_;  // by the last call: the hair may point at them where it threw
   std::shared_ptr<hair::Simulation> simulation_;
   bool busy_ = false;
-  SharedVector<glm::vec3> points_;
+  SharedVector<glm::vec3> points_, radiance_;
   SharedVector<float> transmittance_;
   SharedVector<std::uint32_t> first_, colours_;
 };

@@ -114,6 +114,42 @@ static void settings_and_lights_take_effect(void) {
   hair_destroy(hair);
 }
 
+static void radiance_is_what_colours_are_made_of(void) {
+  hair_instance* hair = small_hair();
+  dance(hair, 0, 2);
+  const hair_view before = view_of(hair);
+  CHECK(before.radiance == NULL && before.colours != NULL);
+  uint8_t* bytes = malloc(4 * (size_t)before.point_count);
+  memcpy(bytes, before.colours, 4 * (size_t)before.point_count);
+  hair_settings settings;
+  OK(hair_settings_init(&settings, sizeof settings));
+  CHECK(settings.encode == 1 && settings.radiance == 0);
+  settings.radiance = 1;
+  OK(hair_set_settings(hair, &settings));
+  OK(hair_relight(hair));
+  const hair_view both = view_of(hair);
+  CHECK(both.radiance != NULL);
+  CHECK(memcmp(bytes, both.colours, 4 * (size_t)both.point_count) == 0);
+  for (uint32_t p = 0; p < both.point_count; ++p)
+    for (int c = 0; c < 3; ++c) {
+      const float light = both.radiance[3 * p + c];
+      const double shown = light <= 0.0031308f ? 12.92 * light : 1.055 * pow(light, 1 / 2.4) - 0.055;
+      CHECK(light >= 0 && fabs(fmin(255 * shown, 255) - both.colours[4 * p + c]) < 0.75);
+    }
+  settings.encode = 0;
+  OK(hair_set_settings(hair, &settings));
+  OK(hair_relight(hair));
+  CHECK(view_of(hair).radiance != NULL && view_of(hair).colours == NULL);
+  settings.shade = 0;
+  OK(hair_set_settings(hair, &settings));
+  OK(hair_relight(hair));
+  CHECK(view_of(hair).radiance == NULL && view_of(hair).colours == NULL);
+  settings.encode = 2;
+  REFUSED(hair_set_settings(hair, &settings), "encode");
+  free(bytes);
+  hair_destroy(hair);
+}
+
 static void a_restored_run_goes_on_with_the_same_bits(void) {
   hair_instance *hair = small_hair(), *other = small_hair();
   dance(hair, 0, 10);
@@ -303,6 +339,7 @@ int main(void) {
   hair_moves_and_is_read();
   hair_made_without_self_collision_has_none_later();
   settings_and_lights_take_effect();
+  radiance_is_what_colours_are_made_of();
   a_restored_run_goes_on_with_the_same_bits();
   a_restart_is_the_start_and_a_teleport_is_not_seen();
   a_small_head_is_drawn_with_less_and_moves_the_same();

@@ -7,6 +7,14 @@
 
 namespace hair::extremes {
 
+namespace {
+
+KajiyaKaySettings& lookOf(Inputs& inputs) {
+  return std::get<KajiyaKaySettings>(inputs.settings.appearance);
+}
+
+}  // namespace
+
 const std::vector<BadInput>& badInputs() {
   using I = Inputs;
   constexpr bool kStart = true, kFrame = false;
@@ -58,12 +66,12 @@ const std::vector<BadInput>& badInputs() {
       {"map.pointExtinction", kFrame,
        [](I& i) -> float& { return i.settings.map.pointExtinction; }},
       {"eye", kFrame, [](I& i) -> float& { return i.settings.eye.x; }},
-      {"look.rootColour", kFrame, [](I& i) -> float& { return i.settings.look.rootColour.r; }},
-      {"look.variation", kFrame, [](I& i) -> float& { return i.settings.look.variation; }},
-      {"look.ambient", kFrame, [](I& i) -> float& { return i.settings.look.ambient; }},
-      {"look.specular", kFrame, [](I& i) -> float& { return i.settings.look.specular; }},
-      {"look.exponent", kFrame, [](I& i) -> float& { return i.settings.look.exponent; }},
-      {"look.firstShift", kFrame, [](I& i) -> float& { return i.settings.look.firstShift; }},
+      {"appearance.rootColour", kFrame, [](I& i) -> float& { return lookOf(i).rootColour.r; }},
+      {"appearance.variation", kFrame, [](I& i) -> float& { return lookOf(i).variation; }},
+      {"appearance.ambient", kFrame, [](I& i) -> float& { return lookOf(i).ambient; }},
+      {"appearance.specular", kFrame, [](I& i) -> float& { return lookOf(i).specular; }},
+      {"appearance.exponent", kFrame, [](I& i) -> float& { return lookOf(i).exponent; }},
+      {"appearance.firstShift", kFrame, [](I& i) -> float& { return lookOf(i).firstShift; }},
   };
   return all;
 }

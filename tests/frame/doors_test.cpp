@@ -61,8 +61,11 @@ TEST(FrameDoors, WhatIsNoNumberIsRefusedByName) {
   named("cell size", [](F& f) -> float& { return f.settings.repulsion.cellSize; });
   named("limit", [](F& f) -> float& { return f.settings.repulsion.limit; });
   named("tolerance", [](F& f) -> float& { return f.settings.repulsion.tolerance; });
-  named("rootColour", [](F& f) -> float& { return f.settings.look.rootColour.g; });
-  named("exponent", [](F& f) -> float& { return f.settings.look.exponent; });
+  static constexpr auto look = [](F& f) -> KajiyaKaySettings& {
+    return std::get<KajiyaKaySettings>(f.settings.appearance);
+  };
+  named("rootColour", [](F& f) -> float& { return look(f).rootColour.g; });
+  named("exponent", [](F& f) -> float& { return look(f).exponent; });
   named("eye", [](F& f) -> float& { return f.settings.eye.z; });
   named("light direction", [](F& f) -> float& { return f.settings.lights[0].direction.x; });
 }

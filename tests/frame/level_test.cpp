@@ -9,6 +9,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
+#include <libhair/shade/encode.h>
 #include <libhair/shadow/deposit.h>
 #include <libhair/shadow/filter.h>
 #include <libhair/shadow/transmittance.h>
@@ -234,7 +235,7 @@ TEST(Level, AFadedStrandIsAsFaintAsItIsNarrow) {
   lit.at(levelOf(0.3f));
   const DrawnPart& drawn = lit.wisps.drawn;
   std::vector<std::uint32_t> colours(lit.wisps.points.size(), 0xff123456u);
-  fadeColours(lit.wisps, colours);
+  fadeColours(drawn.first, drawn.weights, colours);
   int faded = 0;
   for (std::size_t s = 0; s < drawn.weights.size(); ++s)
     for (std::uint32_t p = drawn.first[s]; p < drawn.first[s + 1]; ++p) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/parallel.h>
+#include <libhair/shade/encode.h>
 #include <libhair/simulation/frame.h>
 #include <tests/guides/sphere_groom.h>
 
@@ -58,9 +59,10 @@ int byte(std::uint32_t colour, int channel) {
 TEST(FrameLights, EachShinesOnItsSide) {
   FrameSettings settings = litBy({kRed, kBlue});
   // Highlights belong to the eye's side too: without them only the light's side counts.
-  settings.look = KajiyaKaySettings::plain();
-  settings.look.rootColour = settings.look.tipColour = glm::vec3(0.4f);
-  settings.look.ambient = settings.look.specular = 0;
+  KajiyaKaySettings look = KajiyaKaySettings::plain();
+  look.rootColour = look.tipColour = glm::vec3(0.4f);
+  look.ambient = look.specular = 0;
+  settings.appearance = look;
   const Ball ball(settings);
   std::size_t left = 0, right = 0;
   for (std::size_t p = 0; p < ball.hair.colours.size(); ++p) {
@@ -146,7 +148,7 @@ TEST(FrameLights, ThatAreSwitchedOffLeaveNoMap) {
   light(settings, ball.hair, ball.profile);
   EXPECT_TRUE(ball.hair.maps.empty());
   std::vector<std::uint32_t> ambient(ball.hair.colours.size());
-  shadeKajiyaKay(ball.hair.strands(), {}, settings.look, ambient);
+  shade(ball.hair.strands(), {}, settings.appearance, {}, ambient);
   EXPECT_EQ(ball.hair.colours, ambient);
   // No shadows, no maps.
   settings.lights = {kRed, kLamp};
@@ -154,6 +156,28 @@ TEST(FrameLights, ThatAreSwitchedOffLeaveNoMap) {
   light(settings, ball.hair, ball.profile);
   EXPECT_TRUE(ball.hair.maps.empty());
   EXPECT_TRUE(ball.hair.transmittance.empty());
+}
+
+TEST(FrameLights, MakeRadianceAndBytesEachWhereItIsAskedFor) {
+  FrameSettings settings = litBy({kRed, kLamp});
+  Ball ball(settings);
+  EXPECT_TRUE(ball.hair.radiance.empty());
+  EXPECT_EQ(ball.hair.radiance.capacity(), 0u) << "what is not asked for costs no memory";
+  const std::vector<std::uint32_t> colours = ball.hair.colours;
+  settings.radiance = true;
+  light(settings, ball.hair, ball.profile);
+  EXPECT_EQ(ball.hair.colours, colours);
+  std::vector<std::uint32_t> encoded(colours.size());
+  encodeSrgb(ball.hair.radiance, encoded);
+  EXPECT_EQ(encoded, colours);
+  const std::vector<glm::vec3> radiance = ball.hair.radiance;
+  settings.encode = false;
+  light(settings, ball.hair, ball.profile);
+  EXPECT_TRUE(ball.hair.colours.empty());
+  EXPECT_EQ(ball.hair.radiance, radiance);
+  settings.shade = false;
+  light(settings, ball.hair, ball.profile);
+  EXPECT_TRUE(ball.hair.radiance.empty());
 }
 
 TEST(FrameLights, CountAsWorkOfTheSameStages) {

@@ -156,8 +156,9 @@ class Results(unittest.TestCase):
 
     def test_views_go_on_showing_what_they_showed_when_the_memory_changes(self):
         simulation = small_simulation()
+        simulation.settings.radiance = True
         simulation.step()
-        views = [simulation.points, simulation.transmittance, simulation.colours]
+        views = [simulation.points, simulation.transmittance, simulation.radiance, simulation.colours]
         copies = [v.copy() for v in views]
         state = simulation.save_state()
         simulation.settings.shade = False

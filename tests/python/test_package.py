@@ -41,7 +41,8 @@ class Docs(unittest.TestCase):
         self.assertEqual(missing, [])
 
     def test_arrays_have_their_shapes_in_the_docs(self):
-        for name in ("Strands", "Strands.points", "Simulation.points", "Simulation.colours", "shadow",
+        for name in ("Strands", "Strands.points", "Simulation.points", "Simulation.colours",
+                     "Simulation.radiance", "shade", "encode_srgb", "shadow",
                      "Groom.guide_points", "DensityMap.density_grid", "Truth.transmittance"):
             doc = own_doc(dict(members())[name])
             self.assertRegex(doc, r"\(.*\bN\b.*\)|\(S|\(G|\(I|\(N,\)", name)

@@ -116,12 +116,40 @@ class Doors(unittest.TestCase):
         shadow = libhair.shadow(hair, LIGHT)
         lit = libhair.shade(hair, [LIGHT])
         dark = libhair.shade(hair, [LIGHT], transmittance=shadow[None])
-        self.assertEqual((lit.shape, lit.dtype), ((6000, 4), numpy.uint8))
+        self.assertEqual((lit.shape, lit.dtype), ((6000, 3), numpy.float32))
         self.assertTrue((dark <= lit).all())
-        self.assertLess(dark[:, :3].mean(), 0.8 * lit[:, :3].mean())
-        self.assertTrue((lit[:, 3] == 255).all())
+        self.assertLess(dark.mean(), 0.8 * lit.mean())
         out = numpy.empty_like(lit)
         self.assertIs(libhair.shade(hair, [LIGHT], out=out), out)
+        numpy.testing.assert_array_equal(out, lit)
+        # Light is linear and has no upper end.
+        bright = libhair.shade(hair, [libhair.Light.parallel(LIGHT.direction, (20, 20, 20))])
+        none = libhair.shade(hair, [])
+        numpy.testing.assert_allclose(bright - none, 20 * (lit - none), rtol=1e-4, atol=1e-5)
+        self.assertGreater(bright.max(), 1)
+
+    def test_bytes_are_made_of_radiance(self):
+        hair = libhair.Strands(wavy(500))
+        radiance = libhair.shade(hair, [LIGHT])
+        colours = libhair.encode_srgb(radiance)
+        self.assertEqual((colours.shape, colours.dtype), ((6000, 4), numpy.uint8))
+        self.assertTrue((colours[:, 3] == 255).all())
+        x = radiance.clip(0, 1)
+        shown = numpy.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
+        self.assertLess(numpy.abs(255 * shown - colours[:, :3]).max(), 0.75)
+        weights = numpy.linspace(0, 1, 500, dtype=numpy.float32)
+        out = numpy.empty_like(colours)
+        self.assertIs(libhair.encode_srgb(radiance, strands=hair, weights=weights, out=out), out)
+        numpy.testing.assert_array_equal(out[:, :3], colours[:, :3])
+        self.assertLess(numpy.abs(out[::12, 3] / 255 - weights).max(), 0.003)
+        with self.assertRaisesRegex(ValueError, "strands is None"):
+            libhair.encode_srgb(radiance, weights=weights)
+        with self.assertRaisesRegex(ValueError, "weights: shape"):
+            libhair.encode_srgb(radiance, strands=hair, weights=weights[1:])
+        with self.assertRaisesRegex(ValueError, "strands: 6000 points"):
+            libhair.encode_srgb(radiance[1:], strands=hair, weights=weights)
+        with self.assertRaisesRegex(libhair.Error, "weights: strand 250"):
+            libhair.encode_srgb(radiance, strands=hair, weights=2 * weights)
 
     def test_points_that_are_no_numbers_are_refused(self):
         hair = libhair.Strands(wavy())

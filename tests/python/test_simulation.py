@@ -116,6 +116,24 @@ class Frames(unittest.TestCase):
         self.assertEqual(profile["wisps"][1], len(simulation.points))
         self.assertGreater(profile["guides"][0], 0)
 
+    def test_radiance_is_kept_where_it_is_asked_for(self):
+        simulation = small_simulation()
+        simulation.light()
+        colours = simulation.colours.copy()
+        self.assertEqual(simulation.radiance.shape, (0, 3))
+        simulation.settings.radiance = True
+        simulation.light()
+        radiance = simulation.radiance
+        self.assertEqual((radiance.shape, radiance.dtype), (simulation.points.shape, numpy.float32))
+        numpy.testing.assert_array_equal(simulation.colours, colours)
+        numpy.testing.assert_array_equal(libhair.encode_srgb(radiance), colours)
+        simulation.settings.encode = False
+        simulation.light()
+        self.assertEqual(len(simulation.colours), 0)
+        simulation.settings.appearance.ambient = 1e3
+        simulation.light()
+        self.assertGreater(simulation.radiance.min(), 1)
+
     def test_visibility_darkens(self):
         simulation = small_simulation()
         simulation.light()

@@ -8,7 +8,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
-#include <libhair/shade/kajiya_kay.h>
+#include <libhair/shade/appearance.h>
 #include <libhair/shade/srgb.h>
 
 namespace hair {
@@ -16,11 +16,11 @@ namespace {
 
 using Colours = std::vector<std::uint32_t>;
 
-Colours shade(StrandView strands, const std::vector<Light>& lights,
-              const KajiyaKaySettings& settings = {}, const std::vector<float>& t = {},
-              const std::vector<float>& v = {}, glm::vec3 pivot = glm::vec3(0)) {
+Colours coloursOf(StrandView strands, const std::vector<Light>& lights,
+                  const KajiyaKaySettings& settings = {}, const std::vector<float>& t = {},
+                  const std::vector<float>& v = {}, glm::vec3 pivot = glm::vec3(0)) {
   Colours out(strands.pointCount());
-  shadeKajiyaKay(strands, {lights, pivot, {0.3f, 0.2f, 1}, t, v}, settings, out);
+  shade(strands, {lights, pivot, {0.3f, 0.2f, 1}, t, v}, settings, {}, out);
   return out;
 }
 
@@ -71,10 +71,10 @@ TEST(Lights, AddUpBeforeTheEncoding) {
   const auto ta = shares(n, 1), tb = shares(n, 2), va = shares(n, 3), vb = shares(n, 4);
   KajiyaKaySettings look;
   look.rootColour = look.tipColour = glm::vec3(0.5f);
-  const Colours both = shade(strands, {a, b}, look, joined(ta, tb), joined(va, vb));
-  const Colours onlyA = shade(strands, {a}, look, ta, va),
-                onlyB = shade(strands, {b}, look, tb, vb);
-  const Colours ambient = shade(strands, {}, look);
+  const Colours both = coloursOf(strands, {a, b}, look, joined(ta, tb), joined(va, vb));
+  const Colours onlyA = coloursOf(strands, {a}, look, ta, va),
+                onlyB = coloursOf(strands, {b}, look, tb, vb);
+  const Colours ambient = coloursOf(strands, {}, look);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < n; ++i)
     for (int c = 0; c < 3; ++c) {
@@ -88,7 +88,7 @@ TEST(Lights, AddUpBeforeTheEncoding) {
     }
   EXPECT_GT(compared, n / 4) << "both lights must matter";
   // Which comes first is nothing to see.
-  const Colours turned = shade(strands, {b, a}, look, joined(tb, ta), joined(vb, va));
+  const Colours turned = coloursOf(strands, {b, a}, look, joined(tb, ta), joined(vb, va));
   for (std::size_t i = 0; i < n; ++i)
     for (int c = 0; c < 3; ++c) ASSERT_NEAR(byte(both[i], c), byte(turned[i], c), 1);
 }
@@ -101,23 +101,24 @@ TEST(Lights, HaveShadowsOfTheirOwn) {
   KajiyaKaySettings look;
   look.ambient = 0;
   const std::vector<float> light(n, 1.0f), dark(n, 0.0f);
-  const Colours onlyBlue = shade(strands, {red, blue}, look, joined(dark, light));
-  EXPECT_EQ(onlyBlue, shade(strands, {blue}, look));
-  EXPECT_EQ(onlyBlue, shade(strands, {red, blue}, look, {}, joined(dark, light)));
-  EXPECT_EQ(shade(strands, {red, blue}, look, joined(light, dark)), shade(strands, {red}, look));
+  const Colours onlyBlue = coloursOf(strands, {red, blue}, look, joined(dark, light));
+  EXPECT_EQ(onlyBlue, coloursOf(strands, {blue}, look));
+  EXPECT_EQ(onlyBlue, coloursOf(strands, {red, blue}, look, {}, joined(dark, light)));
+  EXPECT_EQ(coloursOf(strands, {red, blue}, look, joined(light, dark)),
+            coloursOf(strands, {red}, look));
 }
 
 TEST(Lights, AmbientLightIsNoLightsAndWhite) {
   const StrandSet strands = bush();
   const std::vector<float> dark(strands.pointCount(), 0.0f);
-  const Colours none = shade(strands, {});
-  EXPECT_EQ(none, shade(strands, {Light::parallel({0, -1, 0}, {5, 0, 1})}, {}, dark));
-  EXPECT_EQ(none, shade(strands, {Light::point({0, 1, 0}, {0, 0, 0})}));
+  const Colours none = coloursOf(strands, {});
+  EXPECT_EQ(none, coloursOf(strands, {Light::parallel({0, -1, 0}, {5, 0, 1})}, {}, dark));
+  EXPECT_EQ(none, coloursOf(strands, {Light::point({0, 1, 0}, {0, 0, 0})}));
   KajiyaKaySettings look;
   look.variation = 0;
   look.ambient = 1;
   look.rootColour = look.tipColour = {0.5f, 0.25f, 0.125f};
-  for (std::uint32_t c : shade(strands, {}, look))
+  for (std::uint32_t c : coloursOf(strands, {}, look))
     for (int k = 0; k < 3; ++k)
       ASSERT_NEAR(byte(c, k), 255 * srgbFromLinear(look.rootColour[k]), 0.65 + 1e-3);
 }
@@ -126,10 +127,11 @@ TEST(Lights, FarAwayAtAPointAreParallel) {
   const StrandSet strands = bush();
   const glm::vec3 way = glm::normalize(glm::vec3(0.5f, -0.8f, 0.3f)), pivot(0.02f, 0.01f, -0.03f);
   const glm::vec3 colour(0.9f, 0.7f, 0.5f);
-  const Colours parallel = shade(strands, {Light::parallel(way, colour)});
-  const Colours far = shade(strands, {Light::point(pivot - 1e4f * way, colour)}, {}, {}, {}, pivot);
+  const Colours parallel = coloursOf(strands, {Light::parallel(way, colour)});
+  const Colours far =
+      coloursOf(strands, {Light::point(pivot - 1e4f * way, colour)}, {}, {}, {}, pivot);
   const Colours near =
-      shade(strands, {Light::point(pivot - 0.2f * way, colour)}, {}, {}, {}, pivot);
+      coloursOf(strands, {Light::point(pivot - 0.2f * way, colour)}, {}, {}, {}, pivot);
   int most = 0;
   for (std::size_t i = 0; i < parallel.size(); ++i)
     for (int c = 0; c < 3; ++c) {
@@ -150,7 +152,8 @@ TEST(Lights, AtAPointFallOffWithTheSquareOfTheDistance) {
         std::vector<glm::vec3>{{distance, -1e-3f, 0}, {distance, 0, 0}, {distance, 1e-3f, 0}});
     // The light is at the origin, the pivot a metre away.
     return byte(
-        shade(strand, {Light::point({0, 0, 0}, glm::vec3(colour))}, look, {}, {}, {0, 0, 1})[1], 0);
+        coloursOf(strand, {Light::point({0, 0, 0}, glm::vec3(colour))}, look, {}, {}, {0, 0, 1})[1],
+        0);
   };
   for (float distance : {0.5f, 1.0f, 2.0f, 3.0f})
     EXPECT_NEAR(seenAt(distance, 0.2f), 255 * srgbFromLinear(0.2f / (distance * distance)), 1)
@@ -167,7 +170,7 @@ TEST(Lights, HaveTheSameBitsForAnyThreadCount) {
   Colours first;
   for (int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
-    const Colours colours = shade(strands, lights);
+    const Colours colours = coloursOf(strands, lights);
     if (first.empty()) first = colours;
     EXPECT_EQ(colours, first);
   }
@@ -177,14 +180,14 @@ TEST(Lights, ThatCannotBeAreReported) {
   const StrandSet strands = bush(3);
   const std::size_t n = strands.pointCount();
   const Light light;
-  EXPECT_THROW(shade(strands, {light, light}, {}, shares(n, 1)), Error);
-  EXPECT_THROW(shade(strands, {light}, {}, {}, shares(2 * n, 1)), Error);
-  EXPECT_THROW(shade(strands, {}, {}, shares(n, 1)), Error);
-  EXPECT_THROW(shade(strands, {Light::parallel({0, 0, 0})}), Error);
-  EXPECT_THROW(shade(strands, {light, Light::parallel({NAN, 0, 0})}), Error);
-  EXPECT_THROW(shade(strands, {Light::point({1, 2, 3})}, {}, {}, {}, {1, 2, 3}), Error);
-  EXPECT_THROW(shade(strands, {Light::parallel({0, -1, 0}, {1, -1, 1})}), Error);
-  EXPECT_THROW(shade(strands, {Light::parallel({0, -1, 0}, {1, NAN, 1})}), Error);
+  EXPECT_THROW(coloursOf(strands, {light, light}, {}, shares(n, 1)), Error);
+  EXPECT_THROW(coloursOf(strands, {light}, {}, {}, shares(2 * n, 1)), Error);
+  EXPECT_THROW(coloursOf(strands, {}, {}, shares(n, 1)), Error);
+  EXPECT_THROW(coloursOf(strands, {Light::parallel({0, 0, 0})}), Error);
+  EXPECT_THROW(coloursOf(strands, {light, Light::parallel({NAN, 0, 0})}), Error);
+  EXPECT_THROW(coloursOf(strands, {Light::point({1, 2, 3})}, {}, {}, {}, {1, 2, 3}), Error);
+  EXPECT_THROW(coloursOf(strands, {Light::parallel({0, -1, 0}, {1, -1, 1})}), Error);
+  EXPECT_THROW(coloursOf(strands, {Light::parallel({0, -1, 0}, {1, NAN, 1})}), Error);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -7,7 +8,9 @@
 #include <libhair/core/instruction_set.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
-#include <libhair/shade/kajiya_kay.h>
+#include <libhair/shade/appearance.h>
+#include <libhair/shade/encode.h>
+#include <libhair/shade/literal.h>
 #include <libhair/shade/srgb.h>
 
 namespace hair {
@@ -53,7 +56,7 @@ std::vector<std::uint32_t> shadeAll(StrandView strands, const WhiteLight& light,
                                     const std::vector<float>& v = {}) {
   std::vector<std::uint32_t> out(strands.pointCount());
   const Light parallel = Light::parallel(light.direction);
-  shadeKajiyaKay(strands, {{&parallel, 1}, glm::vec3(0), light.eye, t, v}, settings, out);
+  shade(strands, {{&parallel, 1}, glm::vec3(0), light.eye, t, v}, settings, {}, out);
   return out;
 }
 
@@ -247,61 +250,160 @@ StrandSet ofManyLengths() {
   return strands;
 }
 
+/// Strands under two lights, each with shadows of both kinds.
+struct Lit {
+  StrandSet strands = ofManyLengths();
+  std::vector<float> t, v;
+  Light lights[2] = {Light::parallel({1, -1, 0.3f}, {0.8f, 0.7f, 0.6f}),
+                     Light::point({0.5f, 1.5f, 0.5f}, {0.2f, 3, 0.4f})};
+
+  Lit() {
+    for (std::uint32_t i = 0; i < 2 * strands.pointCount(); ++i)
+      t.push_back(uniform(i, 7)), v.push_back(uniform(i, 8));
+  }
+  Illumination illumination() const { return {lights, glm::vec3(0), {0.3f, 3, 2}, t, v}; }
+  std::vector<glm::vec3> radiance(const Appearance& appearance = {}) const {
+    std::vector<glm::vec3> out(strands.pointCount());
+    shade(strands, illumination(), appearance, out);
+    return out;
+  }
+};
+
 TEST(KajiyaKay, IsWhatThePlainFormulaSays) {
-  const StrandSet strands = ofManyLengths();
-  const KajiyaKaySettings look;
-  WhiteLight light{glm::normalize(glm::vec3(1, -2, 0.5f)), {0.3f, 3, 2}};
-  KajiyaKaySettings same = look;
-  same.variation = 0;
-  const auto colours = shadeAll(strands, light, same);
-  for (std::size_t s = 0; s < strands.strandCount(); ++s) {
-    const auto p = strands.strand(s);
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      const glm::dvec3 t(p[std::min(k + 1, p.size() - 1)] - p[k > 0 ? k - 1 : 0]);
-      glm::dvec3 own(look.ambient);
-      double white = 0;
-      if (glm::length(t) > 0) {
-        const double a = std::acos(glm::dot(glm::normalize(t), -glm::dvec3(light.direction)));
-        const double b = std::acos(
-            glm::dot(glm::normalize(t), glm::normalize(glm::dvec3(light.eye) - glm::dvec3(p[k]))));
-        const auto peak = [&](double shift, double exponent) {
-          return std::pow(std::max(std::cos(a + b - 3.14159265358979 - shift), 0.0), exponent);
-        };
-        own += look.diffuse * std::sin(a) +
-               look.secondSpecular * peak(look.secondShift, look.secondExponent);
-        white = look.specular * peak(look.firstShift, look.exponent);
+  const Lit lit;
+  KajiyaKaySettings
+      fractional;  // an exponent that is no whole number is another way through the kernel
+  fractional.exponent = 20.5f;
+  for (const KajiyaKaySettings& look : {KajiyaKaySettings(), KajiyaKaySettings::plain(), fractional}) {
+    const std::vector<glm::vec3> fast = lit.radiance(look);
+    std::vector<glm::vec3> exact(fast.size());
+    literal::shade(lit.strands, lit.illumination(), look, exact);
+    float brightest = 0;
+    for (std::size_t p = 0; p < fast.size(); ++p)
+      for (int c = 0; c < 3; ++c) {
+        brightest = std::max(brightest, exact[p][c]);
+        ASSERT_NEAR(fast[p][c], exact[p][c], 2e-5f * (1 + exact[p][c])) << p << ' ' << c;
       }
-      const float u = p.size() > 1 ? static_cast<float>(k) / static_cast<float>(p.size() - 1) : 0;
-      const glm::vec3 expected =
-          glm::vec3(own) * glm::mix(look.rootColour, look.tipColour, u) + glm::vec3(float(white));
-      const std::uint32_t c = colours[strands.first[s] + k];
-      ASSERT_NEAR(red(c), 255 * srgbFromLinear(expected.x), 0.75) << s << ' ' << k;
-      ASSERT_NEAR(green(c), 255 * srgbFromLinear(expected.y), 0.75) << s << ' ' << k;
-      ASSERT_NEAR(blue(c), 255 * srgbFromLinear(expected.z), 0.75) << s << ' ' << k;
-    }
+    EXPECT_GT(brightest, 1) << "nothing that bytes could not hold";
   }
 }
 
+TEST(KajiyaKay, IsLinearInTheLights) {
+  const Lit lit;
+  const std::size_t n = lit.strands.pointCount();
+  const auto by = [&](std::span<const Light> lights, std::size_t first) {
+    std::vector<glm::vec3> out(n);
+    const std::span<const float> t(lit.t), v(lit.v);
+    shade(lit.strands,
+          {lights, glm::vec3(0), lit.illumination().eye, t.subspan(first * n, lights.size() * n),
+           v.subspan(first * n, lights.size() * n)},
+          {}, out);
+    return out;
+  };
+  const std::span<const Light> all(lit.lights);
+  const auto both = by(all, 0), first = by(all.first(1), 0), second = by(all.last(1), 1),
+             none = by({}, 0);
+  for (std::size_t p = 0; p < n; ++p)
+    for (int c = 0; c < 3; ++c)
+      ASSERT_NEAR(both[p][c], first[p][c] + second[p][c] - none[p][c], 1e-5f) << p;
+}
+
 TEST(KajiyaKay, HasTheSameBitsOnEveryInstructionSetAndForRanges) {
-  const StrandSet strands = ofManyLengths();
-  std::vector<float> t, v;
-  for (std::uint32_t i = 0; i < 2 * strands.pointCount(); ++i)
-    t.push_back(uniform(i, 7)), v.push_back(uniform(i, 8));
-  const Light lights[] = {Light::parallel({1, -1, 0.3f}, {0.8f, 0.7f, 0.6f}),
-                          Light::point({0.5f, 1.5f, 0.5f}, {0.2f, 0.3f, 0.4f})};
-  const Illumination illumination{lights, glm::vec3(0), {0, 1, 3}, t, v};
-  std::vector<std::uint32_t> best;
+  const Lit lit;
+  const std::size_t n = lit.strands.pointCount();
+  std::vector<glm::vec3> best;
+  std::vector<std::uint32_t> bestColours;
   for (const std::string_view name : instructionSets()) {
     const InstructionSetLimit limit(name);
-    std::vector<std::uint32_t> out(strands.pointCount());
-    shadeKajiyaKay(strands, illumination, {}, out);
-    if (best.empty()) best = out;
+    std::vector<glm::vec3> out(n);
+    std::vector<std::uint32_t> colours(n);
+    shade(lit.strands, lit.illumination(), {}, out, colours);
+    if (best.empty()) best = out, bestColours = colours;
     EXPECT_EQ(out, best) << name;
-    std::fill(out.begin(), out.end(), 0u);
+    EXPECT_EQ(colours, bestColours) << name;
+    std::fill(out.begin(), out.end(), glm::vec3(-1));
+    std::fill(colours.begin(), colours.end(), 0u);
     for (std::size_t s = 0; s < 300; s += 25)
-      shadeKajiyaKay(strands, s, s + 25, illumination, {}, out);
+      shade(lit.strands, s, s + 25, lit.illumination(), {}, out, colours);
     EXPECT_EQ(out, best) << name << ", in ranges";
+    EXPECT_EQ(colours, bestColours) << name << ", in ranges";
   }
+}
+
+TEST(Shade, MakesTheSameWhateverElseItMakes) {
+  const Lit lit;
+  const std::size_t n = lit.strands.pointCount();
+  const std::vector<glm::vec3> alone = lit.radiance();
+  std::vector<glm::vec3> radiance(n);
+  std::vector<std::uint32_t> beside(n), bytesAlone(n), encoded(n);
+  shade(lit.strands, lit.illumination(), {}, radiance, beside);
+  shade(lit.strands, lit.illumination(), {}, {}, bytesAlone);
+  encodeSrgb(alone, encoded);
+  EXPECT_EQ(radiance, alone);
+  EXPECT_EQ(beside, encoded);
+  EXPECT_EQ(bytesAlone, encoded);
+  shade(lit.strands, lit.illumination(), {}, {}, {});
+}
+
+TEST(Shade, RefusesWhatDoesNotFit) {
+  const Lit lit;
+  const std::size_t n = lit.strands.pointCount();
+  std::vector<glm::vec3> radiance(n - 1);
+  std::vector<std::uint32_t> colours(n + 1);
+  EXPECT_THROW(shade(lit.strands, lit.illumination(), {}, radiance), Error);
+  EXPECT_THROW(shade(lit.strands, lit.illumination(), {}, {}, colours), Error);
+  EXPECT_THROW(shade(lit.strands, 0, 301, lit.illumination(), {}, {}), Error);
+  radiance.resize(n);
+  KajiyaKaySettings look;
+  look.exponent = NAN;
+  EXPECT_THROW(shade(lit.strands, lit.illumination(), look, radiance), Error);
+  Illumination unseen = lit.illumination();
+  unseen.eye.x = INFINITY;
+  EXPECT_THROW(shade(lit.strands, unseen, {}, radiance), Error);
+}
+
+TEST(EncodeSrgb, IsTheTablesByteOfEveryChannelOnEveryInstructionSet) {
+  // Not a whole number of blocks; with what is no colour among it.
+  std::vector<glm::vec3> radiance;
+  for (std::uint32_t i = 0; i < 5003; ++i)
+    radiance.push_back(1.2f * glm::vec3(uniform(i, 1), uniform(i, 2), uniform(i, 3)) - 0.1f);
+  radiance[17] = {NAN, INFINITY, -INFINITY};
+  radiance[5002] = {1e30f, -1e30f, 1};
+  for (const std::string_view name : instructionSets()) {
+    const InstructionSetLimit limit(name);
+    for (int threads : {1, 3}) {
+      const ThreadLimit threadLimit(threads);
+      std::vector<std::uint32_t> colours(radiance.size());
+      encodeSrgb(radiance, colours);
+      const SrgbTable& table = SrgbTable::get();
+      for (std::size_t p = 0; p < radiance.size(); ++p) {
+        ASSERT_EQ(red(colours[p]), table(radiance[p].x)) << name << ' ' << p;
+        ASSERT_EQ(green(colours[p]), table(radiance[p].y)) << name << ' ' << p;
+        ASSERT_EQ(blue(colours[p]), table(radiance[p].z)) << name << ' ' << p;
+        ASSERT_EQ(colours[p] >> 24, 255u);
+      }
+    }
+  }
+  std::vector<std::uint32_t> few(5);
+  EXPECT_THROW(encodeSrgb(radiance, few), Error);
+}
+
+TEST(EncodeSrgb, FadesStrandsByTheirWeights) {
+  const std::vector<glm::vec3> radiance(9, glm::vec3(0.5f));
+  const std::uint32_t first[] = {0, 4, 4, 7, 9};
+  const float weights[] = {1, 0, 0.5f, 0};
+  std::vector<std::uint32_t> opaque(9), faded(9);
+  encodeSrgb(radiance, opaque);
+  encodeSrgb(radiance, first, weights, faded);
+  const std::uint32_t opacity[] = {255, 255, 255, 255, 128, 128, 128, 0, 0};
+  for (std::size_t p = 0; p < 9; ++p) {
+    EXPECT_EQ(faded[p] >> 24, opacity[p]);
+    EXPECT_EQ(faded[p] & 0xffffffu, opaque[p] & 0xffffffu);
+  }
+  encodeSrgb(radiance, first, {}, faded);
+  EXPECT_EQ(faded, opaque);
+  EXPECT_THROW(fadeColours(std::span(first).first(3), weights, faded), Error);
+  EXPECT_THROW(fadeColours(first, weights, std::span(faded).first(8)), Error);
 }
 
 TEST(KajiyaKay, DegenerateStrandsAreAmbient) {

@@ -108,8 +108,11 @@ std::vector<Feature> featuresOf(const MeasuredScene& scene) {
        [](Scene& s) { s.settings.shade = false; }},
       {"second highlight",
        {},
-       [](const Scene& s) { return s.settings.shade && s.settings.look.secondSpecular > 0; },
-       [](Scene& s) { s.settings.look.secondSpecular = 0; }},
+       [](const Scene& s) {
+         const auto* look = std::get_if<KajiyaKaySettings>(&s.settings.appearance);
+         return s.settings.shade && look && look->secondSpecular > 0;
+       },
+       [](Scene& s) { std::get<KajiyaKaySettings>(s.settings.appearance).secondSpecular = 0; }},
   };
   all.push_back({"body's shadow in the map",
                  {},
@@ -166,7 +169,8 @@ std::size_t hairBytes(const Hair& hair) {
                     w.rootOffsets, w.clearance, w.sampleTable, w.tableOf, w.obstacles.axes,
                     w.obstacles.near, w.obstacles.room) +
          bytesOfAll(hair.repulsion.density, hair.repulsion.allowed, hair.repulsion.push) +
-         bytesOfAll(hair.maps, hair.transmittance, hair.visibility, hair.colours, hair.capsules);
+         bytesOfAll(hair.maps, hair.transmittance, hair.visibility, hair.radiance, hair.colours,
+                    hair.capsules);
 }
 
 }  // namespace hair
