@@ -10,7 +10,7 @@
 #include <apps/draw/gl_context.h>
 #include <apps/draw/window.h>
 #include <libhair/core/error.h>
-#include <libhair/motion/pace.h>
+#include <libhair/motion/fixed_timestep.h>
 
 namespace hair {
 
@@ -49,7 +49,7 @@ class Interactive {
   bool panelShown_ = true, stepAsked_ = false;
   bool moved_ = false;  // since the last picture
   bool editing_ = false;
-  Pace pace_;
+  FixedTimestep pace_;
   double secondsAPicture_ = 0, simulatedAPicture_ = 0;  // averages
   StatsLog stats_;
   int framesDone_ = 0;
@@ -87,7 +87,7 @@ void Interactive::grow() {
     controls_.editMesh = editing_ = false;  // its mesh, if it has one, is another
     window_.holdDrag(false);
     readout_.history = {};
-    pace_ = Pace(options_.performance.fps);
+    pace_ = FixedTimestep(options_.performance.fps);
     readout_.grown = controls_.growth;
     readout_.notes = show_->subject.notes;
     for (const std::string& note : show_->subject.notes) std::cerr << note << '\n';
@@ -105,7 +105,7 @@ void Interactive::obey(const Requests& asked, const draw::WindowRequests& keys) 
   if (stepAsked_) controls_.paused = true;
   if (asked.reset || keys.reset) {
     show_->performance.restart();
-    pace_ = Pace(options_.performance.fps);
+    pace_ = FixedTimestep(options_.performance.fps);
   }
   if (asked.undo) show_->undo();
   if (asked.redo) show_->redo();

@@ -49,7 +49,7 @@ class CellWriter {
   /// For kernels that write to the store themselves.
   const DensityGrid& grid() const { return grid_; }
   BrickStore& store() { return store_; }
-  void tellFull() { full_ = true; }
+  void markSaturated() { full_ = true; }
 
   glm::ivec3 lower() const { return lower_; }
   glm::ivec3 upper() const { return upper_; }

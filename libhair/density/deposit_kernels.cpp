@@ -103,7 +103,7 @@ class Adder {
     for (std::size_t l = 0; l < size_; ++l) {
       std::uint32_t& sum = cells[cell_[l]];
       sum = addSaturating(sum, count_[l]);
-      if (sum == kFull) writer_.tellFull();
+      if (sum == kFull) writer_.markSaturated();
     }
   }
 

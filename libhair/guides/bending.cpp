@@ -8,8 +8,8 @@ namespace {
 
 // Sets the largest tension and compression of link i. Returns its rest tension under this weight
 // where that is beyond the explicit limit and so must join the system, else 0.
-double beyondExplicit(const GuideStrands& guides, std::size_t group, std::size_t lane,
-                      std::size_t i, double h, BendingFactors& out) {
+double limitTension(const GuideStrands& guides, std::size_t group, std::size_t lane, std::size_t i,
+                    double h, BendingFactors& out) {
   const std::size_t n = guides.pointsPerGuide(), at = group * (n - 1) + i;
   const auto step = static_cast<float>(h);
   const float bears = 0.25f / (step * step) * guides.pointMass[group * n + i + 1][lane] *
@@ -38,7 +38,7 @@ void factorLane(const GuideStrands& guides, std::size_t group, std::size_t lane,
     const double kappa = (1.0 + out.damping) * guides.jointStiffness[group * links + i][lane];
     const double next = 1.0 / guides.linkLength[group * links + i][lane];
     const double before = i > 0 ? 1.0 / guides.linkLength[group * links + i - 1][lane] : 0.0;
-    const double taut = beyondExplicit(guides, group, lane, i, h, out) * next;
+    const double taut = limitTension(guides, group, lane, i, h, out) * next;
     diagonal[i + 1] += kappa * next * next + taut;
     diagonal[i] += kappa * (next + before) * (next + before) + taut;
     below1[i + 1] -= kappa * next * (next + before) + taut;

@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 
 // Metres: search distance of the contact pass, farther than the links move most points in a
 // substep. Points that move farther are rechecked (step.cpp).
-inline constexpr float kFarEnough = 1e-3f;
+inline constexpr float kContactRange = 1e-3f;
 // Bound of the gradient of the head's distance field, metres per metre. Neighbouring nodes differ
 // by at most a cell along each axis, which gives sqrt(3); the rest allows for errors of far nodes.
 inline constexpr float kHeadSlope = 1.75f;
@@ -33,7 +33,7 @@ struct Clearance {
 
 /// Parameters of a search: find planes up to `within` metres away, with the required distances
 /// reduced by `slack` metres.
-struct Look {
+struct ContactQuery {
   float within, slack;
 };
 
@@ -68,7 +68,7 @@ HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& c
     best.distance = min(known, best.distance);
     return false;
   }
-  // Look up a bound from one node, and the interpolated distance only where that is near.
+  // ContactQuery up a bound from one node, and the interpolated distance only where that is near.
   const SdfLookup head(*colliders.head);
   const Vec3 local = rotate(glm::transpose(colliders.turn), p - Vec3(colliders.at));
   const Floats bound = head.lowerBound(local, look) - keep;
@@ -97,7 +97,8 @@ HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& c
 /// `how.within`; updates it for the others.
 HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const Floats& way,
                                       const Floats& headClearance, const Surroundings& around,
-                                      const Look& how, Clearance& clearance, ContactPlane& plane) {
+                                      const ContactQuery& how, Clearance& clearance,
+                                      ContactPlane& plane) {
   ContactPlane best{Vec3(glm::vec3(0)), -kFar, Vec3(glm::vec3(0)), around.seen};
   bool found = false;
   if (any(!(clearance.body > Floats(how.within)))) {
@@ -105,7 +106,7 @@ HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const 
       found |= nearerCapsule(p, capsule, capsule.reach.of(index, way) - Floats(how.slack),
                              how.within, best);
     // Required distances may change where a capsule covers anchored points: assume nothing.
-    clearance.body = around.swallowed ? Floats(0.0f) : best.distance;
+    clearance.body = around.covered ? Floats(0.0f) : best.distance;
   } else {
     best.distance = clearance.body;
   }
@@ -122,8 +123,8 @@ HWY_NOINLINE inline bool nearestPlane(const Vec3& p, std::uint32_t index, const 
 }
 
 /// Coulomb friction: takes back movement along the surface, relative to it, up to friction · depth.
-HWY_INLINE Vec3 rub(const Vec3& x, const Vec3& before, const ContactPlane& plane, Floats depth,
-                    float friction) {
+HWY_INLINE Vec3 applyFriction(const Vec3& x, const Vec3& before, const ContactPlane& plane,
+                              Floats depth, float friction) {
   const Vec3 moved = x - before - plane.surfaceMove;
   const Vec3 along = moved - dot(moved, plane.normal) * plane.normal;
   const Floats way = length(along);

@@ -35,7 +35,7 @@ struct ContactPlane {
 ///           point 1 2 3 4 5 ...
 ///
 /// anchored[i] is that of point i + 1: the distance of its rest position and half the skin.
-struct Reach {
+struct RequiredDistance {
   Floats anchored[kAnchoredPoints];
   float full;
 
@@ -50,7 +50,7 @@ struct Reach {
                ? anchored[point - 1]
                : min(anchored[kAnchoredPoints - 1] + Floats(kReachGrowth) * way, Floats(full));
   }
-  HWY_INLINE bool swallowed() const {
+  HWY_INLINE bool covered() const {
     bool any_ = false;
     for (const Floats& reach : anchored) any_ |= any(reach < Floats(full));
     return any_;

@@ -55,7 +55,7 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
   inverseLength.resize(groups * links);
   curvature.resize(groups * links);
   jointStiffness.resize(groups * links);
-  uneven.resize(groups);
+  hasUnevenLinks.resize(groups);
   tied.assign(groups, 1);
   // Fill all lanes; those beyond the last guide repeat it.
   for (std::size_t slot = 0; slot < groups * kLanes; ++slot) {
@@ -81,8 +81,8 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
     // Set the links, and find the one that limits the substep.
     float length = 0;
     for (std::size_t i = 0; i < links; ++i) {
-      if (rest.borne[i] < leastBorne_)
-        leastBorne_ = rest.borne[i], weakestGuide_ = guide, weakestLink_ = i;
+      if (rest.torqueLimit[i] < leastBorne_)
+        leastBorne_ = rest.torqueLimit[i], weakestGuide_ = guide, weakestLink_ = i;
       length += rest.linkLength[i];
       shortestLink_ = std::min(shortestLink_, rest.linkLength[i]);
       linkLength[group * links + i][l] = rest.linkLength[i];
@@ -96,7 +96,7 @@ GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,
     longestUnderTension_ = std::min(longestUnderTension_, rest.longestUnderTension);
     const auto [least, most] =
         std::minmax_element(rest.linkLength.begin(), rest.linkLength.begin() + links);
-    if (*most > kEven * *least) uneven[group] = 1;
+    if (*most > kEven * *least) hasUnevenLinks[group] = 1;
   }
   reset(worldFromHead_);
 }

@@ -105,7 +105,7 @@ class GuideStrands {
   std::vector<std::uint32_t> tied;  ///< [groupCount], most tied points of a strand, >= 1
   std::vector<Lanes> clearance;     ///< [groupCount · pointsPerGuide], least distance to the head
   /// [groupCount], 1 if a strand has uneven links (kEven).
-  std::vector<std::uint8_t> uneven;
+  std::vector<std::uint8_t> hasUnevenLinks;
 
  private:
   std::size_t guideCount_;
@@ -113,7 +113,7 @@ class GuideStrands {
   float shortestLink_ = INFINITY, reach_ = 0, longestSubstep_ = INFINITY,
         longestUnderTension_ = INFINITY;
   float restGravity_;
-  float leastBorne_ = INFINITY;  ///< of RestShape::borne
+  float leastBorne_ = INFINITY;  ///< of RestShape::torqueLimit
   std::size_t weakestGuide_ = 0, weakestLink_ = 0;
 };
 

@@ -31,8 +31,8 @@ GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settin
     const auto deeper = [&](const auto& collider, std::uint32_t i) {
       const std::size_t anchor = group * n + std::min(i, kAnchoredPoints);
       const glm::vec3 held = guides.worldFromHead.point(lane(guides.restPosition[anchor], l));
-      const float swallowed = distanceAndGradient(collider, held).w + kReachGrowth * way;
-      return std::min(0.0f, swallowed) - distanceAndGradient(collider, guides.point(g, i)).w;
+      const float covered = distanceAndGradient(collider, held).w + kReachGrowth * way;
+      return std::min(0.0f, covered) - distanceAndGradient(collider, guides.point(g, i)).w;
     };
     for (std::uint32_t i = 0; i < n; ++i) {
       const glm::vec3 p = guides.point(g, i);

@@ -22,7 +22,7 @@ namespace HWY_NAMESPACE {
 struct NearCapsule {
   glm::vec3 a, axis, moveA, moveAxis;  ///< move...: change since the previous substep, metres
   float perAxis2;                      ///< 1 / |axis|², 0 for a sphere
-  Reach reach;                         ///< required distance from its axis
+  RequiredDistance reach;              ///< required distance from its axis
 };
 
 /// The point of a capsule's axis nearest to a point: a + t · axis.
@@ -39,8 +39,8 @@ HWY_INLINE Foot footOf(const NearCapsule& c, const Vec3& p) {
 
 /// Prepares a capsule. `anchors`: rest positions, carried by the head, of points 1 to
 /// kAnchoredPoints of sixteen strands.
-HWY_INLINE void lookAt(const Capsule& now, const Capsule& before, const Vec3* anchors, float skin,
-                       NearCapsule& near) {
+HWY_INLINE void prepareCapsule(const Capsule& now, const Capsule& before, const Vec3* anchors,
+                               float skin, NearCapsule& near) {
   const glm::vec3 axis = now.b - now.a;
   const float axis2 = glm::dot(axis, axis);
   near.a = now.a, near.axis = axis;
@@ -93,12 +93,12 @@ HWY_INLINE Near findNear(std::uint32_t points, const Vec3* x, const SubstepColli
   return near;
 }
 
-/// The colliders near sixteen strands, prepared by lookAround.
+/// The colliders near sixteen strands, prepared by prepareCapsules.
 struct Surroundings {
   const SubstepColliders& colliders;
   std::span<const NearCapsule> capsules;
-  float seen;      ///< lower bound of the distance to all other capsules, metres
-  bool swallowed;  ///< a capsule covers the rest position of an anchored point (Reach)
+  float seen;    ///< lower bound of the distance to all other capsules, metres
+  bool covered;  ///< a capsule covers the rest position of an anchored point (RequiredDistance)
 };
 
 /// Rest positions, carried by the head, of points 1 to kAnchoredPoints of sixteen strands; `rest`
@@ -111,8 +111,8 @@ HWY_INLINE void findAnchors(std::uint32_t points, const LaneVec3* rest,
 
 /// Prepares these capsules (one bit each) in `room` [kMaxCapsules], the first time that it is
 /// called in a substep. `rest` [points]: rest positions of the strands, in head space.
-HWY_INLINE void lookAround(std::uint32_t points, const LaneVec3* rest, float skin,
-                           std::uint64_t capsules, NearCapsule* room, Surroundings& around) {
+HWY_INLINE void prepareCapsules(std::uint32_t points, const LaneVec3* rest, float skin,
+                                std::uint64_t capsules, NearCapsule* room, Surroundings& around) {
   if (around.capsules.data()) return;
   const SubstepColliders& colliders = around.colliders;
   Vec3 anchors[kAnchoredPoints];
@@ -121,8 +121,8 @@ HWY_INLINE void lookAround(std::uint32_t points, const LaneVec3* rest, float ski
   for (; capsules != 0; capsules &= capsules - 1) {
     const auto c = static_cast<std::size_t>(std::countr_zero(capsules));
     NearCapsule& near = room[count++];
-    lookAt(colliders.capsules[c], colliders.capsulesBefore[c], anchors, skin, near);
-    around.swallowed |= near.reach.swallowed();
+    prepareCapsule(colliders.capsules[c], colliders.capsulesBefore[c], anchors, skin, near);
+    around.covered |= near.reach.covered();
   }
   around.capsules = {room, count};
 }

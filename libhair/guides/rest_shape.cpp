@@ -73,7 +73,8 @@ void holdAgainstGravity(std::span<const glm::vec3> points, glm::vec3 rootNormal,
     // Take the larger torque of its two joints: both push on the ends of link i.
     const float mass = i > 0 ? std::min(rest.mass[i], rest.mass[i + 1]) : rest.mass[i + 1];
     const float most = std::max(glm::length(g[i]), glm::length(torque));
-    rest.borne[i] = mass * rest.linkLength[i] * rest.linkLength[i] * rest.linkLength[i] / most;
+    rest.torqueLimit[i] =
+        mass * rest.linkLength[i] * rest.linkLength[i] * rest.linkLength[i] / most;
     torque = g[i];
   }
   // Stiffen the strand if it would buckle, and find the curvatures in the transported frames.

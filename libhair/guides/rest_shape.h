@@ -33,7 +33,7 @@ struct RestShape {
   float longestUnderTension = 0;
   /// m l³ / g of each link, s² m, with m the mass of its lighter end and g the torque that it
   /// carries at rest: limits GuideStrands::longestSubstep.
-  std::array<float, kMaxGuidePoints> borne{};
+  std::array<float, kMaxGuidePoints> torqueLimit{};
 };
 
 /// Rest lengths, masses, joint stiffness and rest curvatures of a guide with these points (head

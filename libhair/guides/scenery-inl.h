@@ -21,11 +21,11 @@ namespace HWY_NAMESPACE {
 /// Planes and meshes near the strands, with the distances that points must keep from them.
 struct NearPlane {
   const PlanePlace* place;
-  Reach reach;
+  RequiredDistance reach;
 };
 struct NearMesh {
   const MeshPlace* place;
-  Reach reach;
+  RequiredDistance reach;
 };
 struct NearScenery {
   std::span<const NearPlane> planes;
@@ -119,12 +119,12 @@ HWY_INLINE bool nearerMesh(const Vec3& p, const MeshPlace& mesh, Floats keep, Fl
 struct MeshClearance {
   Floats left = 0.0f;
   /// A mesh covers an anchored point: required distances grow too, at most as fast as the path.
-  bool swallowed;
+  bool covered;
 
   HWY_INLINE explicit MeshClearance(const NearScenery& scenery)
-      : swallowed(std::ranges::any_of(
-            scenery.meshes, [](const NearMesh& near) { return near.reach.swallowed(); })) {}
-  HWY_INLINE void step(Floats way) { left = left - (swallowed ? way + way : way); }
+      : covered(std::ranges::any_of(scenery.meshes,
+                                    [](const NearMesh& near) { return near.reach.covered(); })) {}
+  HWY_INLINE void step(Floats way) { left = left - (covered ? way + way : way); }
 };
 
 /// The same for all scenery, after capsules and head, for point `index` of its strand, `way` metres

@@ -40,7 +40,7 @@ struct Group {
       *clearance;
   RootFrame rest;
   BendingGroup bending;
-  bool uneven;
+  bool hasUnevenLinks;
 };
 
 // Scale all tensions of a strand by one factor, so that none exceeds what predict may apply.
@@ -58,8 +58,8 @@ HWY_NOINLINE void scaleTensions(const Group& g) {
 
 // Working memory of a group. Left uninitialised: it is sized for the longest strands.
 struct Scratch {
-  Vec3 x[kMaxGuidePoints], force[kMaxGuidePoints], seenAt[kMaxGuidePoints];
-  Clearance clear[kMaxGuidePoints];  // of the points at seenAt
+  Vec3 x[kMaxGuidePoints], force[kMaxGuidePoints], queriedAt[kMaxGuidePoints];
+  Clearance clear[kMaxGuidePoints];  // of the points at queriedAt
   Vec3 directions[kMaxGuidePoints];  // of the links, unit, after the last substep
   Floats lambda[kMaxGuidePoints], way[kMaxGuidePoints];
   Contact contacts[kMaxGuidePoints];
@@ -99,7 +99,7 @@ HWY_INLINE void predict(const Group& g, const GuideSettings& settings, const Win
   constexpr float kPerRadius2 = 1.0f / (kCarriedAirRadius * kCarriedAirRadius);
   // Apply the last tension along the last directions, clamped to what the bending system holds
   // (BendingFactors); the Newton iterations find the rest.
-  if (g.uneven) scaleTensions(g);
+  if (g.hasUnevenLinks) scaleTensions(g);
   const auto pullOf = [&](std::uint32_t i) HWY_ATTR {
     const Floats tension =
         max(min(Floats(g.tension[i]), g.mostTension[i]), -Floats(g.mostCompression[i]));
@@ -139,11 +139,11 @@ HWY_INLINE void findPlanes(const Group& g, float skin, const Near& near, Surroun
   const Floats spread(0.5f * glm::length(near.mostMove - near.leastMove));
   Floats way = 0.0f;
   for (std::uint32_t i = 1; i < g.points; ++i) {
-    const Vec3 x = s.x[i], before = s.seenAt[i];
+    const Vec3 x = s.x[i], before = s.queriedAt[i];
     Clearance& known = s.clear[i];
     if (i > kAnchoredPoints) way = way + Floats(g.linkLength[i - 1]);
     s.way[i] = way;
-    s.seenAt[i] = x;
+    s.queriedAt[i] = x;
     Contact& contact = s.contacts[i];
     contact.touched = contact.near = false;
     // Lower the clearance of the last substep by the motion relative to the colliders.
@@ -151,21 +151,21 @@ HWY_INLINE void findPlanes(const Group& g, float skin, const Near& near, Surroun
     known.body = known.body - (length(x - (before + drift)) + spread);
     known.head = known.head - Floats(kHeadSlope) * length(x - carried);
     contact.plane.distance = min(known.body, known.head);
-    if (!any(known.within(kFarEnough))) continue;
+    if (!any(known.within(kContactRange))) continue;
     // Raise it by what is known of the previous point of the strand.
     const Floats link = length(x - s.x[i - 1]);
     known.body = max(known.body, s.clear[i - 1].body - link);
     known.head = max(known.head, s.clear[i - 1].head - Floats(kHeadSlope) * link);
     // Query the colliders; this also makes the clearance exact.
-    lookAround(g.points, g.restPosition, skin, near.capsules, s.near, around);
+    prepareCapsules(g.points, g.restPosition, skin, near.capsules, s.near, around);
     contact.near =
-        nearestPlane(x, i, way, g.clearance[i], around, {kFarEnough, 0}, known, contact.plane);
+        nearestPlane(x, i, way, g.clearance[i], around, {kContactRange, 0}, known, contact.plane);
   }
 }
 
 // Contacts with scenery: replace a point's plane where a Plane or a mesh is nearer.
-HWY_NOINLINE NearScenery seeScenery(const Group& g, float skin, const SubstepColliders& colliders,
-                                    Scratch& s) {
+HWY_NOINLINE NearScenery findSceneryPlanes(const Group& g, float skin,
+                                           const SubstepColliders& colliders, Scratch& s) {
   Vec3 anchors[kAnchoredPoints];
   findAnchors(g.points, g.restPosition, colliders, anchors);
   const NearScenery scenery =
@@ -193,25 +193,25 @@ HWY_INLINE void pushOut(const Group& g, float friction, Scratch& s) {
     contact.touching = contact.touched ? contact.touching | inside : inside;
     contact.touched = true;
     const Floats push = select(inside, depth, Floats(0.0f));
-    s.x[i] = rub(s.x[i] + push * plane.normal, g.position[i], plane, push, friction);
+    s.x[i] = applyFriction(s.x[i] + push * plane.normal, g.position[i], plane, push, friction);
   }
 }
 
 // Recheck: find the planes again for points that the links moved farther than the collider they
 // were near. True if one penetrates a collider. The skin is a safety margin; here, where a point
 // may be between two colliders, a third of it is enough.
-HWY_INLINE bool lookAgain(const Group& g, float skin, std::uint64_t near, Surroundings& around,
-                          const NearScenery& scenery, Scratch& s) {
-  const Look how{kSight, skin * (2.0f / 3.0f)};
+HWY_INLINE bool recheckContacts(const Group& g, float skin, std::uint64_t near,
+                                Surroundings& around, const NearScenery& scenery, Scratch& s) {
+  const ContactQuery how{kSight, skin * (2.0f / 3.0f)};
   bool again = false;
   for (std::uint32_t i = 1; i < g.points; ++i) {
     // Skip points that cannot have reached a collider yet.
-    const Vec3 moved = s.x[i] - s.seenAt[i];
+    const Vec3 moved = s.x[i] - s.queriedAt[i];
     ContactPlane& plane = s.contacts[i].plane;
     const Floats may = max(plane.distance, Floats(0.0f)) + Floats(0.5f * skin);
     if (!any(dot(moved, moved) > may * may)) continue;
-    lookAround(g.points, g.restPosition, skin, near, s.near, around);
-    s.seenAt[i] = s.x[i];
+    prepareCapsules(g.points, g.restPosition, skin, near, s.near, around);
+    s.queriedAt[i] = s.x[i];
     s.clear[i] = Clearance(0);
     s.contacts[i].near =
         nearestPlane(s.x[i], i, s.way[i], g.clearance[i], around, how, s.clear[i], plane);
@@ -271,7 +271,7 @@ void substep(const Group& g, const GuideSettings& settings, const WindField* win
   findPlanes(g, settings.skin, near, around, s);
   NearScenery scenery;
   if (!colliders.planes.empty() || !colliders.meshes.empty())
-    scenery = seeScenery(g, settings.skin, colliders, s);
+    scenery = findSceneryPlanes(g, settings.skin, colliders, s);
   // Solve the links, and again while rechecked points penetrate another collider.
   for (std::uint32_t i = 0; i < links; ++i) s.lambda[i] = 0.0f;
   constexpr int kRounds = 3;
@@ -280,7 +280,7 @@ void substep(const Group& g, const GuideSettings& settings, const WindField* win
       solveLinks(g, settings, s);
     else
       relax(g, settings, s);
-    if (!lookAgain(g, settings.skin, near.capsules, around, scenery, s)) break;
+    if (!recheckContacts(g, settings.skin, near.capsules, around, scenery, s)) break;
   }
 
   // Update the tension for the next substep. Relaxation leaves lambda 0 and so the tension of the
@@ -328,10 +328,10 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
         {guides.rootTangent[k], guides.rootNormal[k]},
         {n, &guides.curvature[l], &guides.jointStiffness[l], &guides.inverseLength[l],
          &factors.inverseD[p], &factors.below1[p], &factors.below2[p], factors.damping},
-        guides.uneven[k] != 0};
+        guides.hasUnevenLinks[k] != 0};
     findDirections(n, group.position, s.directions);
     for (std::uint32_t i = 0; i < n; ++i)
-      s.seenAt[i] = group.position[i], s.clear[i] = Clearance(0);
+      s.queriedAt[i] = group.position[i], s.clear[i] = Clearance(0);
     for (std::size_t i = 0; i < workspace.colliders.size(); ++i)
       substep(group, settings, workspace.winds.empty() ? nullptr : &workspace.winds[i], h,
               workspace.colliders[i], s);

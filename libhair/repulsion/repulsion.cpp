@@ -219,7 +219,7 @@ void validate(const RepulsionSettings& s) {
   field(s.interval > 0 && s.interval <= 1, "interval", s.interval, "(0, 1] s");
 }
 
-int turnsDue(float seconds, const RepulsionSettings& settings, Repulsion& repulsion) {
+int repelPasses(float seconds, const RepulsionSettings& settings, Repulsion& repulsion) {
   const float waited = repulsion.waiting + seconds;
   // A turn that is due but for rounding is due.
   const float turns = std::floor(waited / settings.interval + 1e-3f);

@@ -29,7 +29,7 @@ struct RepulsionSettings {
   float tolerance = 1.3f;           ///< nor does less than the groom's own density times this, >= 1
   float strength = 20;              ///< m/s² on a point where density is twice what it may be
   float limit = 20;                 ///< m/s², the most
-  float interval = 1.0f / 60;       ///< seconds from call to call of repel (turnsDue), (0, 1]
+  float interval = 1.0f / 60;       ///< seconds from call to call of repel (repelPasses), (0, 1]
 };
 
 /// Throws Error that names the field and its range.
@@ -53,7 +53,7 @@ struct Repulsion {
 
 /// How often repel is due, 0 to 2 times, after `seconds` more: once an interval, so that hair feels
 /// the same whatever the length of frames.
-int turnsDue(float seconds, const RepulsionSettings& settings, Repulsion& repulsion);
+int repelPasses(float seconds, const RepulsionSettings& settings, Repulsion& repulsion);
 
 /// Every so many of the drawn strands are counted for all; all of `strands` where they are few.
 std::uint32_t strideCounted(std::size_t strands, const RepulsionSettings& settings);

@@ -67,7 +67,7 @@ class Cells {
     Ints s = i - Ints(map_.grid.lower.x);
     // Wrap slices of hair deeper than the map: its far end shares those of its near end (paper,
     // Psi).
-    if (HWY_UNLIKELY(aliased_)) s = comeRound(s);
+    if (HWY_UNLIKELY(aliased_)) s = wrapSlices(s);
     const Ints at = min(max(s, Ints(-1)), Ints(deepest_)) + Ints(1);
     return {gather(map_.sliceRun.data(), at), gather(map_.sliceInBrick.data(), at), at == Ints(0),
             at == Ints(1), s > Ints(deepest_)};
@@ -138,7 +138,7 @@ class Cells {
  private:
   static_assert(brick::kX == 4 && brick::kY == 16 && brick::kZ == 4);
 
-  HWY_NOINLINE Ints comeRound(Ints slices) const {
+  HWY_NOINLINE Ints wrapSlices(Ints slices) const {
     std::int32_t each[kLanes];
     store(slices, each);
     for (std::int32_t& s : each) s = s >= n_ ? s % n_ : s;

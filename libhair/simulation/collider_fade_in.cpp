@@ -6,7 +6,7 @@
 
 namespace hair {
 
-GrowingBody::GrowingBody(const BodyState& body, const GuideStrands& guides)
+ColliderFadeIn::ColliderFadeIn(const BodyState& body, const GuideStrands& guides)
     : worldFromHead_(body.worldFromHead),
       full_{{body.capsules.begin(), body.capsules.end()},
             {body.scenery.planes.begin(), body.scenery.planes.end()},
@@ -21,7 +21,7 @@ GrowingBody::GrowingBody(const BodyState& body, const GuideStrands& guides)
   }
 }
 
-BodyState GrowingBody::at(float share) {
+BodyState ColliderFadeIn::at(float share) {
   for (std::size_t c = 0; c < full_.capsules.size(); ++c)
     now_.capsules[c].radius = share * full_.capsules[c].radius;
   for (std::size_t p = 0; p < full_.planes.size(); ++p)

@@ -9,10 +9,10 @@ namespace hair {
 /// Colliders that come to hair where they were none: capsules grow from nothing, meshes from next
 /// to nothing about their middles, planes rise from below the lowest guide point. Hair finds its
 /// way out of them instead of being thrown out.
-class GrowingBody {
+class ColliderFadeIn {
  public:
   /// Copies what it needs: the body may be the one that a hair remembers.
-  GrowingBody(const BodyState& body, const GuideStrands& guides);
+  ColliderFadeIn(const BodyState& body, const GuideStrands& guides);
   /// 0: nothing there, 1: all of it. Holds until the next call.
   BodyState at(float share);
 

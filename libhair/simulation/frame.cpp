@@ -123,7 +123,7 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   hair.time = 0;
   std::fill(hair.repulsion.push.begin(), hair.repulsion.push.end(), LaneVec3{});
   const int frames = static_cast<int>(std::ceil(seconds * 60));
-  GrowingBody growing(body, hair.guides);
+  ColliderFadeIn growing(body, hair.guides);
   hair.remember(frames > 0 ? growing.at(0) : body);
   if (frames == 0) redraw(hair);
   for (int i = 1; i <= frames; ++i)

@@ -58,7 +58,7 @@ struct BodyState {
   Scenery scenery{};                  ///< planes and meshes around it; none by default
 
   /// Each kind of collider: as many as before move from there; else changeColliders.
-  bool asMany(const BodyState& other) const {
+  bool sameCounts(const BodyState& other) const {
     return capsules.size() == other.capsules.size() &&
            scenery.planes.size() == other.scenery.planes.size() &&
            scenery.meshes.size() == other.scenery.meshes.size();

@@ -75,7 +75,7 @@ void bringOut(const BodyState& body, const GuideSettings& settings, const MeshSd
       }))
     return;
   const GuideStrands before = guides;
-  GrowingBody growing(body, guides), smaller(body, guides);
+  ColliderFadeIn growing(body, guides), smaller(body, guides);
   for (int step = 1; step <= kPlacingSteps; ++step) {
     const BodyState from = smaller.at(static_cast<float>(step - 1) / kPlacingSteps),
                     to = growing.at(static_cast<float>(step) / kPlacingSteps);

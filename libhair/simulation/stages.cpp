@@ -103,7 +103,7 @@ void learnRestDensity(const FrameSettings& settings, Hair& hair) {
 void moveGuides(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
                 FrameProfile& profile) {
   const StageTimer timer(profile, Stage::Guides, guidePointsOf(hair));
-  if (!hair.body().asMany(body)) changeColliders(body, settings, hair);
+  if (!hair.body().sameCounts(body)) changeColliders(body, settings, hair);
   GuideMotion motion{body.worldFromHead, body.capsules, hair.capsules,
                      hair.head,          settings.wind, hair.time};
   motion.scenery = body.scenery;
@@ -124,7 +124,7 @@ void drawStrands(const BodyState& body, Hair& hair, FrameProfile& profile) {
 void repelFromDensity(const FrameSettings& settings, float seconds, Hair& hair,
                       FrameProfile& profile) {
   if (!settings.selfCollision) return;
-  const int turns = turnsDue(seconds, settings.repulsion, hair.repulsion);
+  const int turns = repelPasses(seconds, settings.repulsion, hair.repulsion);
   if (turns == 0) return;
   const StageTimer timer(profile, Stage::SelfCollision, guidePointsOf(hair));
   measureDensity(countedStrands(settings.repulsion, hair), hair.groom->fibre, settings.repulsion,

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
-#include <libhair/motion/pace.h>
+#include <libhair/motion/fixed_timestep.h>
 
 #include "scene.h"
 
@@ -130,7 +130,7 @@ TEST(Contract, AFrameOfNoLengthOrLongerThanASecondIsRefusedAndChangesNothing) {
 TEST(Contract, SlowMotionIsTheSameMotion) {
   const auto after24Frames = [](double speed, double picture) {
     Scene scene(small(Style::Smooth), Motion::dance());
-    Pace pace(60);
+    FixedTimestep pace(60);
     pace.setSpeed(speed);
     for (int frames = 0; frames < 24;)
       for (int due = pace.framesDue(picture); due > 0 && frames < 24; --due, ++frames) scene.step();

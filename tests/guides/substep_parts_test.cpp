@@ -55,13 +55,14 @@ void correct(const GuideStrands& guides, LinkSolver solver, std::uint32_t touchi
   for (std::uint32_t i = 0; i + 1 < n; ++i) store(sum[i], lambda[i]);
 }
 
-// The nearest plane of points that are the sixth of their strands; nothing is swallowed.
+// The nearest plane of points that are the sixth of their strands; nothing is covered.
 void nearest(std::span<const Capsule> now, std::span<const Capsule> before, float skin,
              const LaneVec3& p, LaneVec3& normal, LaneVec3& move, Lanes& offset, Lanes& distance) {
   NearCapsule near[kMaxCapsules];
   const Vec3 away(glm::vec3(100));
   const Vec3 anchors[kAnchoredPoints] = {away, away, away};
-  for (std::size_t c = 0; c < now.size(); ++c) lookAt(now[c], before[c], anchors, skin, near[c]);
+  for (std::size_t c = 0; c < now.size(); ++c)
+    prepareCapsule(now[c], before[c], anchors, skin, near[c]);
   const SubstepColliders none{glm::mat3(1), glm::mat3(1), {}, {}, now, before, {}, nullptr, {}, {}};
   Clearance unknown(0);
   ContactPlane plane;

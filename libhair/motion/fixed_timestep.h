@@ -12,11 +12,11 @@ namespace HAIR_API hair {
 /// Where drawing is slow, each picture has more frames to catch up with, which makes the next one
 /// slower still: the number of frames per picture is limited, and the time of the others is
 /// dropped. Motion is then slow, but does not stall.
-class Pace {
+class FixedTimestep {
  public:
   /// `fps`: frames per simulated second; `most`: frames per picture at a speed of 1 or less, in
   /// proportion more at higher speeds. Throws Error for fps not in (0, 1e4] and most below 1.
-  explicit Pace(double fps, int most = 2) : fps_(fps), most_(most) {
+  explicit FixedTimestep(double fps, int most = 2) : fps_(fps), most_(most) {
     require(fps > 0 && fps <= 1e4, "pace: ", fps, " frames a second is not in (0, 10000]");
     require(most >= 1, "pace: at most ", most, " frames a picture; take at least 1");
   }
