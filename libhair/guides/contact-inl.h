@@ -68,7 +68,7 @@ HWY_INLINE bool nearerHead(const Vec3& p, Floats keep, const SubstepColliders& c
     best.distance = min(known, best.distance);
     return false;
   }
-  // ContactQuery up a bound from one node, and the interpolated distance only where that is near.
+  // Look up a bound from one node, and the interpolated distance only where that is near.
   const SdfLookup head(*colliders.head);
   const Vec3 local = rotate(glm::transpose(colliders.turn), p - Vec3(colliders.at));
   const Floats bound = head.lowerBound(local, look) - keep;
