@@ -25,4 +25,11 @@ if(HAIR_SANITIZE)
   target_compile_options(hair_options INTERFACE
     -fsanitize=${HAIR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(hair_options INTERFACE -fsanitize=${HAIR_SANITIZE})
+  # g++ says so by itself, and libstdc++ and tests listen.
+  foreach(sanitizer address thread)
+    if(HAIR_SANITIZE MATCHES ${sanitizer} AND CMAKE_CXX_COMPILER_ID MATCHES Clang)
+      string(TOUPPER ${sanitizer} word)
+      target_compile_definitions(hair_options INTERFACE __SANITIZE_${word}__)
+    endif()
+  endforeach()
 endif()
