@@ -25,12 +25,6 @@ if(HAIR_SANITIZE)
   target_compile_options(hair_options INTERFACE
     -fsanitize=${HAIR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(hair_options INTERFACE -fsanitize=${HAIR_SANITIZE})
-  # As g++'s: mapAt (frame.cpp) still makes an integer of the infinity that a cell of no size asks for.
-  # Readers are looked at for that, too, and by the preset fuzz all code (tests/fuzz/CMakeLists.txt).
-  if(HAIR_SANITIZE MATCHES "undefined" AND NOT HAIR_SANITIZE MATCHES "fuzzer"
-      AND CMAKE_CXX_COMPILER_ID MATCHES Clang)
-    target_compile_options(hair_options INTERFACE -fno-sanitize=float-cast-overflow)
-  endif()
   # g++ says so by itself, and libstdc++ and tests listen.
   foreach(sanitizer address thread)
     if(HAIR_SANITIZE MATCHES ${sanitizer} AND CMAKE_CXX_COMPILER_ID MATCHES Clang)

@@ -28,7 +28,10 @@ void validate(StrandView strands, std::string_view name, std::size_t minPoints) 
   require(strands.first.back() == strands.pointCount(), name, ": strand offsets end at ",
           strands.first.back(), " but there are ", strands.pointCount(), " points");
   for (std::size_t s = 0; s < strands.strandCount(); ++s) {
-    require(strands.first[s] <= strands.first[s + 1], name, ": offsets of strand ", s, " decrease");
+    // The end comes first: a later offset that decreases must not lead this one out of the points.
+    require(
+        strands.first[s] <= strands.first[s + 1] && strands.first[s + 1] <= strands.pointCount(),
+        name, ": offsets of strand ", s, " decrease, or lead beyond the points");
     const auto points = strands.strand(s);
     require(points.size() >= minPoints, name, ": strand ", s, " has ", points.size(),
             " points, needs at least ", minPoints);

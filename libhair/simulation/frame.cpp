@@ -59,6 +59,7 @@ void Hair::remember(const BodyState& body) {
 }
 
 DensityMapSettings mapAt(const LevelOfDetail& level, const DensityMapSettings& settings) {
+  validate(settings);
   if (level.cellSize <= settings.cellSize) return settings;
   DensityMapSettings coarse = settings;
   const float larger = level.cellSize / settings.cellSize;
