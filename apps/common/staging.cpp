@@ -136,20 +136,22 @@ void Staging::updateHair(draw::Renderer& renderer) {
     performance_.relight();
   }
   const StageTimer timer(performance_.profile, Stage::Shade, static_cast<std::int64_t>(points));
-  const auto shadeBy = [&](const Illumination& illumination, std::vector<std::uint32_t>& colours) {
+  const auto shadeBy = [&](const Illumination& illumination, std::vector<glm::vec3>& radiance,
+                           std::vector<std::uint32_t>& colours) {
     const DrawnHair drawn = hair.wisps.drawnHair();
+    radiance.resize(renderer.linear() ? points : 0);
     colours.resize(points);
-    shade(drawn.strands, illumination, settings.appearance, {}, colours);
+    shade(drawn.strands, illumination, settings.appearance, radiance, colours);
     fadeColours(drawn.strands.first, drawn.weights, colours);
   };
   Illumination illumination = hair.illumination(settings);
-  shadeBy(illumination, hair.colours);
+  shadeBy(illumination, hair.radiance, hair.colours);
   if (scene.sideBySide) {
     illumination.transmittance = {};
-    shadeBy(illumination, unshadowed_);
+    shadeBy(illumination, unshadowedRadiance_, unshadowed_);
   }
-  layer.colours = hair.colours;
-  layer.leftColours = unshadowed_;
+  layer.colours = hair.colours, layer.leftColours = unshadowed_;
+  layer.radiance = hair.radiance, layer.leftRadiance = unshadowedRadiance_;
 }
 
 void Staging::updateInternals() {
@@ -188,8 +190,10 @@ void Staging::updateHairMesh() {
   if (!surface) return;
   hairSurface_ = hairMesh_->surface();
   scene.meshes.push_back({&hairSurface_, glm::mat4(1), glm::vec3(0.35f, 0.42f, 0.5f), {}, 0.7f});
-  scene.hair[0].strands = {};
-  scene.hair[0].colours = scene.hair[0].leftColours = {};
+  draw::HairLayer& layer = scene.hair[0];
+  layer.strands = {};
+  layer.colours = layer.leftColours = {};
+  layer.radiance = layer.leftRadiance = {};
 }
 
 const draw::Scene& Staging::update(draw::Renderer& renderer) {

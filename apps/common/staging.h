@@ -36,7 +36,8 @@ class Staging {
   void frameHead(float yaw, float pitch, float distance);
 
   /// Brings the scene up to date with the performance and shades it; the frame's profile says what
-  /// the shading took. `renderer` makes the shadow of head and body on the hair.
+  /// the shading took. `renderer` makes the shadow of head and body on the hair; where its pictures
+  /// are linear, the hair's radiance is made too.
   const draw::Scene& update(draw::Renderer& renderer);
 
   /// Updates, draws, and waits for the picture of so many pixels. What that took beside the shading
@@ -71,6 +72,7 @@ class Staging {
   std::vector<glm::vec3> scalp_;           ///< [head vertexCount], of the hair's colour there
   glm::vec3 dye_{0};                       ///< that colour
   std::vector<std::uint32_t> unshadowed_;  ///< colours of the left half, side by side
+  std::vector<glm::vec3> unshadowedRadiance_;
   glm::vec3 headBefore_;
 };
 

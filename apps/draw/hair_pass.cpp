@@ -12,7 +12,7 @@ gl::Program linked(const char* name, const shaders::Source& s) {
   return gl::link(name, s.vertex, s.geometry, s.fragment);
 }
 
-void checkLayer(const HairLayer& layer) {
+void checkLayer(const HairLayer& layer, bool linear, bool sideBySide) {
   const auto& first = layer.strands.first;
   const std::size_t points = layer.strands.pointCount();
   require(first.empty() ? points == 0 : first.back() == points, "hair to draw has ", points,
@@ -21,6 +21,12 @@ void checkLayer(const HairLayer& layer) {
           layer.colours.size(), " colours");
   require(layer.leftColours.empty() || layer.leftColours.size() == points, "hair to draw has ",
           points, " points but ", layer.leftColours.size(), " colours for the left half");
+  if (!linear) return;
+  require(layer.radiance.size() == points, "hair to draw in a linear picture has ", points,
+          " points but ", layer.radiance.size(), " radiances");
+  require(!sideBySide || layer.leftRadiance.size() == layer.leftColours.size(),
+          "hair to draw in a linear picture has ", layer.leftColours.size(), " colours but ",
+          layer.leftRadiance.size(), " radiances for the left half");
 }
 
 }  // namespace
@@ -60,21 +66,25 @@ void HairPass::updateTopology(Layer& layer, StrandView strands, int shadowSegmen
   layer.casterWeight = lineScratch.empty() ? 0 : float(all) / float(lineScratch.size());
 }
 
-void HairPass::update(const Scene& scene, int shadowSegments) {
+void HairPass::update(const Scene& scene, int shadowSegments, bool linear) {
+  radiant = linear;
   layers.resize(scene.hair.size());
   box = {};
   const glm::vec3 viewDirection = glm::normalize(scene.camera.target - scene.camera.eye());
   for (std::size_t k = 0; k < layers.size(); ++k) {
     const HairLayer& hair = scene.hair[k];
     Layer& layer = layers[k];
-    checkLayer(hair);
+    checkLayer(hair, linear, scene.sideBySide);
     const Bounds b = bounds(hair.strands.points);
     if (hair.strands.pointCount() > 0) box.extend(b.lower), box.extend(b.upper);
 
     glBindVertexArray(layer.array);
+    const bool leftOwn = scene.sideBySide && !hair.leftColours.empty();
     gl::upload(GL_ARRAY_BUFFER, layer.colours, hair.colours, GL_STREAM_DRAW);
-    if (scene.sideBySide && !hair.leftColours.empty())
-      gl::upload(GL_ARRAY_BUFFER, layer.leftColours, hair.leftColours, GL_STREAM_DRAW);
+    if (leftOwn) gl::upload(GL_ARRAY_BUFFER, layer.leftColours, hair.leftColours, GL_STREAM_DRAW);
+    if (linear) gl::upload(GL_ARRAY_BUFFER, layer.radiance, hair.radiance, GL_STREAM_DRAW);
+    if (linear && leftOwn)
+      gl::upload(GL_ARRAY_BUFFER, layer.leftRadiance, hair.leftRadiance, GL_STREAM_DRAW);
     gl::upload(GL_ARRAY_BUFFER, layer.points, hair.strands.points, GL_STREAM_DRAW);
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
@@ -107,11 +117,17 @@ void HairPass::draw(const Scene& scene, bool left) {
     const gl::Program& program = asLines ? lines : ribbons;
     glUseProgram(program);
     glUniform3f(gl::uniform(program, "strand"), hair.width, hair.opacity, hair.tipWidth);
+    glUniform1i(gl::uniform(program, "radiant"), radiant ? 1 : 0);
     glBindVertexArray(layer.array);
     const bool leftOwn = left && !hair.leftColours.empty();
     glBindBuffer(GL_ARRAY_BUFFER, leftOwn ? layer.leftColours : layer.colours);
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
+    if (radiant) {
+      glBindBuffer(GL_ARRAY_BUFFER, leftOwn ? layer.leftRadiance : layer.radiance);
+      glEnableVertexAttribArray(3);
+      glVertexAttribPointer(3, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+    }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, layer.order);
     glDrawElements(asLines ? GL_LINES : GL_LINES_ADJACENCY, layer.indexCount, GL_UNSIGNED_INT,
                    nullptr);

@@ -16,7 +16,8 @@ class HairPass {
   /// Sends points and colours, and what depends on the topology where it has changed; sorts for the
   /// camera. All of a picture is sent here, once.
   /// `shadowSegments`: at most about so many cast the shadow (every k-th strand, k times as dense).
-  void update(const Scene& scene, int shadowSegments);
+  /// `linear`: radiance is sent too, and drawn.
+  void update(const Scene& scene, int shadowSegments, bool linear);
 
   /// Box around all hair, world space.
   Bounds worldBounds() const { return box; }
@@ -31,13 +32,14 @@ class HairPass {
  private:
   struct Layer {
     gl::VertexArray array;
-    gl::Buffer points, colours, leftColours, along, order, casters;
+    gl::Buffer points, colours, leftColours, radiance, leftRadiance, along, order, casters;
     HairOrder sorted;
     GLsizei indexCount = 0, casterCount = 0;
     float casterWeight = 1;
   };
   std::deque<Layer> layers;
   Bounds box;
+  bool radiant = false;  // what update was told
   std::vector<glm::uvec2> lineScratch;
   std::vector<glm::uvec4> ribbonScratch;
   std::vector<std::uint8_t> alongScratch;

@@ -42,6 +42,43 @@ struct Unfinished {
   }
 };
 
+std::string extensionOf(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+// The byte of 0 to 1 of a display; NaN is 0.
+std::uint8_t byteOf(float shown) {
+  return std::uint8_t(255 * (shown > 0 ? std::min(shown, 1.0f) : 0) + 0.5f);
+}
+
+std::uint8_t encodedByte(float linear) {
+  return byteOf(srgbFromLinear(std::clamp(linear, 0.0f, 1.0f)));
+}
+
+/// Three channels from memory as the file is to have them.
+void write(int width, int height, OIIO::TypeDesc inFile, OIIO::TypeDesc inMemory,
+           const void* values, const fs::path& file) {
+  require(width > 0 && height > 0, file.string(), ": a picture without pixels cannot be written");
+  // OpenImageIO picks the format by extension, so the temporary name keeps it.
+  Unfinished unfinished{file.parent_path() / (file.stem().string() + ".part" +
+                                              std::to_string(::getpid()) + extensionOf(file))};
+  const std::string name = unfinished.file.string();
+  auto output = OIIO::ImageOutput::create(name);
+  require(output != nullptr, file.string(), ": no writer for this format: ", OIIO::geterror());
+  OIIO::ImageSpec spec(width, height, 3, inFile);
+  spec.attribute("oiio:ColorSpace", inFile == OIIO::TypeDesc::UINT8 ? "sRGB" : "Linear");
+  if (!output->open(name, spec)) throw Error(text(file.string(), ": ", output->geterror()));
+  if (!output->write_image(inMemory, values) || !output->close())
+    throw Error(text(file.string(), ": ", output->geterror()));
+  std::error_code failed;
+  fs::rename(unfinished.file, file, failed);
+  require(!failed, file.string(), ": ", failed.message());
+  unfinished.file.clear();
+}
+
 /// A picture of at least so many channels.
 std::unique_ptr<OIIO::ImageInput> openImage(const fs::path& file, int channels) {
   auto input = OIIO::ImageInput::open(file.string());
@@ -57,39 +94,40 @@ std::unique_ptr<OIIO::ImageInput> openImage(const fs::path& file, int channels) 
 
 }  // namespace
 
-void writeImage(const Picture& picture, const fs::path& file) {
-  require(picture.width > 0 && picture.height > 0, file.string(),
-          ": a picture without pixels cannot be written");
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](char c) { return char(std::tolower(c)); });
-  const bool linear = extension == ".exr";
-  require(linear || extension == ".png", file.string(), ": pictures are written as .png or .exr");
+bool isLinear(const fs::path& file) {
+  return extensionOf(file) == ".exr";
+}
 
-  // OpenImageIO picks the format by extension, so the temporary name keeps it.
-  Unfinished unfinished{file.parent_path() /
-                        (file.stem().string() + ".part" + std::to_string(::getpid()) + extension)};
-  const std::string name = unfinished.file.string();
-  auto output = OIIO::ImageOutput::create(name);
-  require(output != nullptr, file.string(), ": no writer for this format: ", OIIO::geterror());
-  OIIO::ImageSpec spec(picture.width, picture.height, 3,
-                       linear ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-  if (!output->open(name, spec)) throw Error(text(file.string(), ": ", output->geterror()));
-  bool written = false;
-  if (linear) {
-    std::vector<float> values(picture.rgb.size());
-    std::ranges::transform(picture.rgb, values.begin(),
-                           [](std::uint8_t byte) { return linearTable()[byte]; });
-    written = output->write_image(OIIO::TypeDesc::FLOAT, values.data());
-  } else {
-    written = output->write_image(OIIO::TypeDesc::UINT8, picture.rgb.data());
-  }
-  if (!written || !output->close()) throw Error(text(file.string(), ": ", output->geterror()));
-  std::error_code failed;
-  fs::rename(unfinished.file, file, failed);
-  require(!failed, file.string(), ": ", failed.message());
-  unfinished.file.clear();
+void writeImage(const Picture& picture, const fs::path& file) {
+  require(extensionOf(file) == ".png", file.string(), ": pictures of bytes are written as .png");
+  write(picture.width, picture.height, OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT8,
+        picture.rgb.data(), file);
+}
+
+void writeImage(const LinearPicture& picture, const fs::path& file) {
+  if (!isLinear(file)) return writeImage(encoded(picture), file);
+  static constexpr float kLargestHalf = 65504;
+  std::vector<float> values(picture.rgb.size());
+  std::ranges::transform(picture.rgb, values.begin(),
+                         [](float v) { return std::clamp(v, -kLargestHalf, kLargestHalf); });
+  write(picture.width, picture.height, OIIO::TypeDesc::HALF, OIIO::TypeDesc::FLOAT, values.data(),
+        file);
+}
+
+Picture encoded(const LinearPicture& picture) {
+  Picture bytes(picture.width, picture.height);
+  std::ranges::transform(picture.rgb, bytes.rgb.begin(), encodedByte);
+  return bytes;
+}
+
+LinearPicture readLinearImage(const fs::path& file) {
+  const auto input = openImage(file, 3);
+  const OIIO::ImageSpec& spec = input->spec();
+  require(spec.format.is_floating_point(), file.string(), ": not a picture of floats");
+  LinearPicture picture(spec.width, spec.height);
+  if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, picture.rgb.data()))
+    throw Error(text(file.string(), ": ", input->geterror()));
+  return picture;
 }
 
 Picture readImage(const fs::path& file) {
@@ -103,10 +141,8 @@ Picture readImage(const fs::path& file) {
     std::vector<float> values(picture.rgb.size());
     ok = input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data());
     const bool integers = !spec.format.is_floating_point();  // then already sRGB
-    std::ranges::transform(values, picture.rgb.begin(), [&](float v) {
-      const float c = std::clamp(v, 0.0f, 1.0f);
-      return std::uint8_t(255 * (integers ? c : srgbFromLinear(c)) + 0.5f);
-    });
+    std::ranges::transform(values, picture.rgb.begin(),
+                           [&](float v) { return integers ? byteOf(v) : encodedByte(v); });
   }
   if (!ok) throw Error(text(file.string(), ": ", input->geterror()));
   return picture;

@@ -8,9 +8,22 @@
 
 namespace hair::draw {
 
-/// Writes PNG (sRGB) or EXR (linear half floats) by the file's extension. The file appears whole or
-/// not at all: it is written beside its place and renamed. Throws Error (file, cause).
+/// Writes a PNG (sRGB). The file appears whole or not at all: it is written beside its place and
+/// renamed. Throws Error (file, cause), also for another extension: bytes are no linear picture.
 void writeImage(const Picture& picture, const std::filesystem::path& file);
+
+/// Writes an EXR of linear half floats, in the same way; what is beyond their range (65504) is
+/// written as its end. Or a PNG, of `encoded`.
+void writeImage(const LinearPicture& picture, const std::filesystem::path& file);
+
+/// Whether files of that name hold linear light: .exr.
+bool isLinear(const std::filesystem::path& file);
+
+/// As displays show it: sRGB bytes, of what is above 1 255.
+Picture encoded(const LinearPicture& picture);
+
+/// Reads a picture of floats (EXR) as it is. Throws Error (file, cause), also for bytes.
+LinearPicture readLinearImage(const std::filesystem::path& file);
 
 /// Reads any picture that OpenImageIO reads, as 8-bit RGB. Throws Error (file, cause).
 Picture readImage(const std::filesystem::path& file);

@@ -25,4 +25,24 @@ struct Picture {
   }
 };
 
+/// A picture of light: linear RGB (of sRGB's primaries), three floats a pixel, rows from top to
+/// bottom without padding. 1 is what a display shows at most; what is brighter is above it.
+struct LinearPicture {
+  int width = 0, height = 0;
+  std::vector<float> rgb;  ///< [height·width·3]
+
+  LinearPicture() = default;
+  LinearPicture(int w, int h) : width(w), height(h), rgb(3 * std::size_t(w) * std::size_t(h)) {}
+
+  const float* pixel(int x, int y) const { return rgb.data() + offset(x, y); }
+  float* pixel(int x, int y) { return rgb.data() + offset(x, y); }
+
+  bool operator==(const LinearPicture&) const = default;
+
+ private:
+  std::size_t offset(int x, int y) const {
+    return 3 * (std::size_t(y) * std::size_t(width) + std::size_t(x));
+  }
+};
+
 }  // namespace hair::draw

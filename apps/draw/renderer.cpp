@@ -32,7 +32,9 @@ void checkScene(const Scene& scene) {
 
 struct Renderer::State {
   explicit State(const RenderSettings& s)
-      : settings(s), targets(s.samples), lightMaps(std::clamp(s.shadowMapSize, 64, 8192)) {}
+      : settings(s),
+        targets(s.samples, s.linear),
+        lightMaps(std::clamp(s.shadowMapSize, 64, 8192)) {}
 
   RenderSettings settings;
   Targets targets;
@@ -58,7 +60,7 @@ void Renderer::draw(const Scene& scene, int width, int height) {
   State& s = *state;
   s.targets.resize(width, height);
   s.meshes.update(scene);
-  s.hair.update(scene, s.settings.shadowHairSegments);
+  s.hair.update(scene, s.settings.shadowHairSegments, s.settings.linear);
 
   // ImGui and other guests leave their state behind.
   glDisable(GL_SCISSOR_TEST);
@@ -168,6 +170,16 @@ void Renderer::read(Picture& picture) const {
 Picture Renderer::read() const {
   Picture picture;
   read(picture);
+  return picture;
+}
+
+bool Renderer::linear() const {
+  return state->settings.linear;
+}
+
+LinearPicture Renderer::readLinear() const {
+  LinearPicture picture;
+  state->targets.read(picture);
   return picture;
 }
 

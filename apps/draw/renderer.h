@@ -13,6 +13,10 @@ struct RenderSettings {
   int samples = 4;                 ///< of multisampling; 1, 2, 4 or 8
   int shadowMapSize = 1024;        ///< pixels on a side, [64, 8192]
   int shadowHairSegments = 60000;  ///< at most so many cast the hair's shadow on meshes
+  /// Pictures of linear floats instead of sRGB bytes: hair of its layers' `radiance`, meshes and
+  /// floor of the same light as in bytes, with the same film curve; nothing is rounded, and what
+  /// hair sends beyond 1 is kept. Takes about four times the memory.
+  bool linear = false;
 };
 
 /// Draws scenes into a framebuffer of its own with whatever OpenGL 3.3 context is current
@@ -39,12 +43,19 @@ class Renderer {
   /// Waits until all is drawn, to take its time. (OpenGL only notes down what there is to do.)
   void finish() const;
 
-  /// Reads back what was drawn last.
+  /// Whether pictures are linear floats: hair layers then need their radiance.
+  bool linear() const;
+
+  /// Reads back what was drawn last. Throws Error where pictures are linear.
   void read(Picture& picture) const;
   Picture read() const;
 
+  /// Reads back what was drawn last. Throws Error unless pictures are linear.
+  LinearPicture readLinear() const;
+
   /// Copies what was drawn last to a part of the window's own framebuffer, scaled to fit: `width`
   /// by `height` pixels that start `left` pixels from the window's left edge and at its bottom.
+  /// Throws Error where pictures are linear.
   void present(int left, int width, int height) const;
 
  private:

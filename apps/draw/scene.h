@@ -33,6 +33,11 @@ struct HairLayer {
   /// without self-shadow).
   std::span<const std::uint32_t> leftColours;
 
+  /// [pointCount] linear radiance, of which `colours` are the bytes, and of the left half (or
+  /// empty). Read, and needed, by a renderer of linear pictures alone, which takes the opacity from
+  /// `colours`.
+  std::span<const glm::vec3> radiance, leftRadiance;
+
   float width = 1.5e-4f;   ///< of a strand, metres
   float opacity = 0.8f;    ///< of a strand seen full on, (0, 1]
   float tipWidth = 0.25f;  ///< width at the tip as a share of `width`, [0, 1]

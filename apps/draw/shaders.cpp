@@ -286,6 +286,8 @@ Source hairLines() {
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 colour;
 layout(location = 2) in float along;
+layout(location = 3) in vec3 radiance;
+uniform bool radiant;  // into a linear picture: of radiance, not of the bytes made of it
 uniform vec3 strand;  // width, opacity, tip width
 out vec4 shade;
 void main() {
@@ -293,7 +295,8 @@ void main() {
   float width = strand.x * mix(1.0, strand.z, along * along);
   float pixels = width * eye.w / max(gl_Position.w, 1e-4);
   // A line is a pixel wide: what is thinner covers its share of it.
-  shade = vec4(linearFromSrgb(colour.rgb), strand.y * colour.a * min(pixels, 1.0));
+  vec3 light = radiant ? radiance : linearFromSrgb(colour.rgb);
+  shade = vec4(light, strand.y * colour.a * min(pixels, 1.0));
 }
 )",
           "", kVersion + R"(
@@ -308,13 +311,16 @@ Source hairRibbons() {
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 colour;
 layout(location = 2) in float along;
+layout(location = 3) in vec3 radiance;
+uniform bool radiant;  // into a linear picture: of radiance, not of the bytes made of it
 uniform vec3 strand;
 out Point { vec4 shade; float pixels; } point;
 void main() {
   gl_Position = clipFromWorld * vec4(position, 1);
   float width = strand.x * mix(1.0, strand.z, along * along);
   point.pixels = width * eye.w / max(gl_Position.w, 1e-4);
-  point.shade = vec4(linearFromSrgb(colour.rgb), strand.y * colour.a);
+  vec3 light = radiant ? radiance : linearFromSrgb(colour.rgb);
+  point.shade = vec4(light, strand.y * colour.a);
 }
 )",
           kFrame + R"(

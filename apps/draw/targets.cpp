@@ -6,7 +6,19 @@
 
 namespace hair::draw {
 
-Targets::Targets(int wanted) {
+namespace {
+
+// OpenGL counts rows from the bottom.
+template <class Pixels>
+void turnOver(Pixels& picture) {
+  for (int y = 0; y < picture.height / 2; ++y)
+    std::swap_ranges(picture.pixel(0, y), picture.pixel(0, y) + 3 * picture.width,
+                     picture.pixel(0, picture.height - 1 - y));
+}
+
+}  // namespace
+
+Targets::Targets(int wanted, bool linear_) : linear(linear_) {
   GLint most = 1;
   glGetIntegerv(GL_MAX_SAMPLES, &most);
   samples = std::clamp(wanted, 1, std::max(1, int(most)));
@@ -21,9 +33,10 @@ void Targets::resize(int width, int height) {
     // One sample asks for a multisampled buffer of one on some cards: zero is plain.
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, count > 1 ? count : 0, format, width, height);
   };
-  storage(drawnColour, samples, GL_SRGB8_ALPHA8);
+  const GLenum colour = linear ? GL_RGBA32F : GL_SRGB8_ALPHA8;
+  storage(drawnColour, samples, colour);
   storage(drawnDepth, samples, GL_DEPTH_COMPONENT24);
-  storage(resolvedColour, 1, GL_SRGB8_ALPHA8);
+  storage(resolvedColour, 1, colour);
   glBindFramebuffer(GL_FRAMEBUFFER, drawn);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, drawnColour);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, drawnDepth);
@@ -46,18 +59,25 @@ void Targets::resolve() const {
 }
 
 void Targets::read(Picture& picture) const {
+  require(!linear, "a renderer of linear pictures has no bytes to read");
   if (picture.width != size.x || picture.height != size.y) picture = Picture(size.x, size.y);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, size.x, size.y, GL_RGB, GL_UNSIGNED_BYTE, picture.rgb.data());
-  // OpenGL counts rows from the bottom.
-  for (int y = 0; y < size.y / 2; ++y) {
-    std::swap_ranges(picture.pixel(0, y), picture.pixel(0, y) + 3 * size.x,
-                     picture.pixel(0, size.y - 1 - y));
-  }
+  turnOver(picture);
+}
+
+void Targets::read(LinearPicture& picture) const {
+  require(linear, "a renderer of bytes has no linear picture to read: RenderSettings::linear");
+  if (picture.width != size.x || picture.height != size.y) picture = LinearPicture(size.x, size.y);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, size.x, size.y, GL_RGB, GL_FLOAT, picture.rgb.data());
+  turnOver(picture);
 }
 
 void Targets::present(int left, int windowWidth, int windowHeight) const {
+  require(!linear, "linear pictures are not shown in a window");
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   // The bytes are sRGB already, and a window's framebuffer shows bytes as they are.

@@ -64,7 +64,7 @@ struct RenderOptions {
   int width = 960, height = 960;
   bool sideBySide = false;  ///< left half without self-shadow
   InternalsShown shown;
-  std::filesystem::path out;  ///< .png or .exr
+  std::filesystem::path out;  ///< .png (sRGB bytes) or .exr (linear floats)
 };
 void runRender(const RenderOptions& options);
 

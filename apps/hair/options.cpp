@@ -107,7 +107,9 @@ void addRender(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("render", "Draw one picture of hair under any light");
   addSubjectOptions(*command, options->subject);
   addPerformanceOptions(*command, options->performance, options->threads);
-  command->add_option("--out", options->out, "the picture, .png or .exr")
+  command
+      ->add_option("--out", options->out,
+                   "the picture: .png, or .exr (linear light, not clipped at 1)")
       ->required()
       ->check([](const std::string& name) {
         return name.ends_with(".exr") ? endsWith(".exr")(name) : endsWith(".png")(name);

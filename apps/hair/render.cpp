@@ -24,7 +24,9 @@ void runRender(const RenderOptions& options) {
   }
   progress.finish();
   const draw::OffscreenContext context;
-  draw::Renderer renderer;
+  draw::RenderSettings how;
+  how.linear = draw::isLinear(options.out);
+  draw::Renderer renderer(how);
   Staging staging(performance);
   staging.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
   staging.scene.sideBySide = options.sideBySide;
@@ -32,7 +34,10 @@ void runRender(const RenderOptions& options) {
   // Through hair everything is seen; a surface hides what is behind it.
   staging.scene.debug.onTop = !options.shown.meshSurface;
   renderer.draw(staging.update(renderer), options.width, options.height);
-  draw::writeImage(renderer.read(), options.out);
+  if (how.linear)
+    draw::writeImage(renderer.readLinear(), options.out);
+  else
+    draw::writeImage(renderer.read(), options.out);
 }
 
 }  // namespace hair

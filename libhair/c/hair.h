@@ -26,7 +26,7 @@
 
 /* Of this header. The library's own: hair_version(). */
 #define HAIR_C_VERSION_MAJOR 1
-#define HAIR_C_VERSION_MINOR 0
+#define HAIR_C_VERSION_MINOR 1
 
 #ifdef __cplusplus
 extern "C" {

@@ -70,6 +70,7 @@ TEST(Staging, ShadesOncePerPictureAndFramesWithoutPictureNotAtAll) {
   EXPECT_EQ(of(profile, Stage::Shade).items, points);
   EXPECT_EQ(of(profile, Stage::Draw).items, 0) << "not timed";
   EXPECT_NE(performance.hair.colours, once) << "in another light";
+  EXPECT_TRUE(performance.hair.radiance.empty()) << "of no use in a picture of bytes";
 }
 
 }  // namespace

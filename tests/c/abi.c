@@ -54,8 +54,6 @@ AT(hair_settings, shade, 152);
 AT(hair_settings, eye, 156);
 AT(hair_settings, variation, 192);
 AT(hair_settings, second_shift, 224);
-AT(hair_settings, encode, 228);
-AT(hair_settings, radiance, 232);
 AT(hair_style, hairs, 28);
 AT(hair_binding, shape_weight, 12);
 AT(hair_body, world_from_head, 12);
@@ -65,10 +63,13 @@ AT(hair_view, points, 16);
 AT(hair_view, colours, 40);
 AT(hair_view, time, 48);
 AT(hair_view, wider, 60);
-AT(hair_view, radiance, 64);
 AT(hair_map, pivot, 24);
 AT(hair_pool, run, 8);
 AT(hair_pool, user, 16);
+/* Since version 1.1. */
+AT(hair_settings, encode, 228);
+AT(hair_settings, radiance, 232);
+AT(hair_view, radiance, 64);
 /* And numbers that programs have compiled in. */
 SO(statuses, HAIR_BAD_ARGUMENT == 1 && HAIR_OUT_OF_MEMORY == 2 && HAIR_INTERNAL_ERROR == 3);
 SO(deposits, HAIR_DEPOSIT_POINTS == 0 && HAIR_DEPOSIT_COLUMNS == 1 && HAIR_DEPOSIT_SEGMENTS == 2);

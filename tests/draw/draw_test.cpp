@@ -368,6 +368,88 @@ TEST_F(Drawing, AHeadShadowsTheFloorFromALampWhereItStandsBetween) {
               brightness(empty.pixel(outside.x, outside.y)), 12);
 }
 
+// All of one light: what bytes of red are, or brighter.
+std::vector<glm::vec3> lightOf(std::size_t points, glm::vec3 linear) {
+  return std::vector<glm::vec3>(points, linear);
+}
+
+float linearFromSrgb(float c) {
+  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
+
+TEST_F(Drawing, ALinearPictureIsWhatItsBytesAreOf) {
+  addHead();
+  const std::vector<glm::vec3> light = lightOf(
+      hair.pointCount(),
+      {linearFromSrgb(230 / 255.0f), linearFromSrgb(26 / 255.0f), linearFromSrgb(26 / 255.0f)});
+  for (const HairPrimitive primitive : {HairPrimitive::Lines, HairPrimitive::Ribbons})
+    for (const bool sideBySide : {false, true}) {
+      scene.hair.clear();
+      HairLayer& layer = addHair();
+      layer.primitive = primitive;
+      layer.radiance = light;
+      scene.sideBySide = sideBySide;
+      if (sideBySide) layer.leftColours = dark;
+      const std::vector<glm::vec3> darkLight = lightOf(
+          hair.pointCount(),
+          {linearFromSrgb(26 / 255.0f), linearFromSrgb(13 / 255.0f), linearFromSrgb(5 / 255.0f)});
+      if (sideBySide) layer.leftRadiance = darkLight;
+      const Picture bytes = drawn();
+      Renderer renderer({.linear = true});
+      renderer.draw(scene, 320, 240);
+      const LinearPicture linear = renderer.readLinear();
+      double sum = 0;
+      for (std::size_t i = 0; i < bytes.rgb.size(); ++i) {
+        const float x = linear.rgb[i];
+        ASSERT_GE(x, 0);
+        ASSERT_LE(x, 1.0001f);
+        const float shown = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+        sum += std::abs(255 * double(shown) - bytes.rgb[i]);
+      }
+      // Bytes are rounded after each strand that is blended.
+      EXPECT_LT(sum / double(bytes.rgb.size()), 0.7) << sideBySide;
+    }
+}
+
+TEST_F(Drawing, ALinearPictureKeepsWhatIsBrighterThanADisplay) {
+  scene.ground.visible = false;
+  HairLayer& layer = addHair();
+  layer.primitive = HairPrimitive::Ribbons;
+  layer.width = 6e-3f, layer.opacity = 1, layer.tipWidth = 1;
+  const glm::vec3 bright(3.7182f, 0.3141f, 0.0012f);
+  const std::vector<glm::vec3> light = lightOf(hair.pointCount(), bright);
+  layer.radiance = light;
+  Renderer renderer({.linear = true});
+  ASSERT_TRUE(renderer.linear());
+  renderer.draw(scene, 320, 240);
+  const LinearPicture picture = renderer.readLinear();
+  int inside = 0;
+  for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
+    if (std::abs(picture.rgb[i] - bright.x) < 1e-4f) {
+      ++inside;
+      EXPECT_NEAR(picture.rgb[i + 1], bright.y, 1e-4f);
+      EXPECT_NEAR(picture.rgb[i + 2], bright.z, 1e-5f);
+    }
+  EXPECT_GT(inside, 500) << "pixels that are nothing but hair";
+}
+
+TEST_F(Drawing, LinearPicturesAndBytesAreNotMixedUp) {
+  HairLayer& layer = addHair();
+  Renderer linear({.linear = true}), bytes;
+  EXPECT_THROW(linear.draw(scene, 32, 24), Error) << "no radiance";
+  const std::vector<glm::vec3> light = lightOf(hair.pointCount(), glm::vec3(1));
+  layer.radiance = light;
+  linear.draw(scene, 32, 24);
+  EXPECT_THROW(linear.read(), Error);
+  EXPECT_THROW(linear.present(0, 32, 24), Error);
+  scene.sideBySide = true;
+  layer.leftColours = dark;
+  EXPECT_THROW(linear.draw(scene, 32, 24), Error) << "no radiance of the left half";
+  bytes.draw(scene, 32, 24);
+  EXPECT_FALSE(bytes.linear());
+  EXPECT_THROW(bytes.readLinear(), Error);
+}
+
 TEST_F(Drawing, MeshesMayChangeBetweenPictures) {
   addHead();
   Renderer renderer;

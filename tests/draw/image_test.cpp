@@ -49,12 +49,32 @@ TEST_F(Images, PngReturnsTheSameBytes) {
   EXPECT_EQ(readImage(folder / "a.png"), picture);
 }
 
-TEST_F(Images, ExrIsLinearAndReturnsTheSameColours) {
-  const Picture picture = ramp(37, 23);
+TEST_F(Images, ExrReturnsTheSameLight) {
+  LinearPicture picture(37, 23);
+  for (std::size_t i = 0; i < picture.rgb.size(); ++i)
+    picture.rgb[i] = 1e-3f * float(i) * float(i) / 37;  // to far above 1
+  picture.rgb.back() = 1e9f;
   writeImage(picture, folder / "a.exr");
-  const Picture back = readImage(folder / "a.exr");
+  const LinearPicture back = readLinearImage(folder / "a.exr");
   ASSERT_EQ(back.rgb.size(), picture.rgb.size());
-  for (std::size_t i = 0; i < back.rgb.size(); ++i) EXPECT_NEAR(back.rgb[i], picture.rgb[i], 1);
+  for (std::size_t i = 0; i + 1 < back.rgb.size(); ++i)
+    EXPECT_NEAR(back.rgb[i], picture.rgb[i], 5e-4f * picture.rgb[i] + 1e-7f);
+  EXPECT_EQ(back.rgb.back(), 65504) << "the largest half float, not infinity";
+  // Bytes are made of it in the same way whether it is written as bytes or read as such.
+  writeImage(picture, folder / "a.png");
+  EXPECT_EQ(readImage(folder / "a.png"), encoded(picture));
+  const Picture read = readImage(folder / "a.exr"), made = encoded(picture);
+  for (std::size_t i = 0; i < read.rgb.size(); ++i) EXPECT_NEAR(read.rgb[i], made.rgb[i], 1);
+  EXPECT_EQ(made.rgb.back(), 255);
+  EXPECT_EQ(encoded(LinearPicture(1, 1)).rgb, std::vector<std::uint8_t>(3, 0));
+}
+
+TEST_F(Images, BytesAreNoLinearPicture) {
+  EXPECT_TRUE(isLinear("a.exr") && isLinear("B.EXR"));
+  EXPECT_FALSE(isLinear("a.png"));
+  EXPECT_THROW(writeImage(ramp(4, 4), folder / "a.exr"), Error);
+  writeImage(ramp(4, 4), folder / "a.png");
+  EXPECT_THROW(readLinearImage(folder / "a.png"), Error);
 }
 
 TEST_F(Images, MasksAreGreyAsTheFileHasThem) {

@@ -1,0 +1,61 @@
+// Hair's light on its way into a file, through the renderer: it is never bytes.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include <apps/common/staging.h>
+#include <apps/draw/gl_context.h>
+#include <apps/draw/image.h>
+#include <libhair/core/error.h>
+#include <libhair/shade/srgb.h>
+
+namespace hair {
+namespace {
+
+TEST(LinearPicture, IsOfLightThatWasNeverBytes) {
+  std::unique_ptr<draw::OffscreenContext> context;
+  try {
+    context = std::make_unique<draw::OffscreenContext>();
+  } catch (const Error& error) {
+    GTEST_SKIP() << error.what();
+  }
+  SubjectOptions options;
+  options.strands = 1000;
+  Subject subject(options);
+  // A highlight much brighter than a display.
+  subject.look.specular = 8;
+  PerformanceOptions performing;
+  performing.settle = 0.02f;
+  Performance performance(subject, performing);
+  draw::RenderSettings how{.samples = 1, .linear = true};
+  draw::Renderer renderer(how);
+  Staging staging(performance);
+  // Near enough that strands cover whole pixels.
+  staging.frameHead(0.3f, 0.3f, 0.5f);
+  staging.drawTimed(renderer, 256, 256);
+  float brightest = 0;
+  for (const glm::vec3 light : performance.hair.radiance) brightest = std::max(brightest, light.x);
+  EXPECT_GT(brightest, 2);
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / text("hair_staging_", ::getpid(), ".exr");
+  draw::writeImage(renderer.readLinear(), file);
+  const draw::LinearPicture picture = draw::readLinearImage(file);
+  std::filesystem::remove(file);
+  std::size_t above = 0, byteLike = 0;
+  for (const float x : picture.rgb) {
+    above += x > 1;
+    // What an EXR held that was made of bytes: the light of 256 sRGB values, and no other.
+    const float s = 255 * srgbFromLinear(x);
+    byteLike += x <= 1 && std::abs(s - std::round(s)) < 0.01f;
+  }
+  EXPECT_GT(above, 50u);
+  EXPECT_LT(byteLike, picture.rgb.size() / 10);
+}
+
+}  // namespace
+}  // namespace hair
