@@ -11,7 +11,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 #include <apps/common/svg.h>
 #include <benchmarks/plots.h>
 #include <benchmarks/suite.h>
@@ -102,9 +102,9 @@ int program(int argc, char** argv) {
     return 0;
   }
   if (options.demo) {
-    const Subject subject{SubjectOptions{}};
-    Performance performance(subject, {});
-    for (int frame = 0; frame < 60; ++frame) performance.step();
+    const Character character{CharacterOptions{}};
+    Player player(character, {});
+    for (int frame = 0; frame < 60; ++frame) player.step();
     return 0;
   }
   if (options.targets) {

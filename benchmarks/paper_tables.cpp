@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 #ifdef HAIR_WITH_HAIR_MESH
 #include <benchmarks/hair_mesh_table.h>
 #endif
@@ -48,26 +48,26 @@ struct Measured {
 };
 
 Measured measure(Style style, int frames) {
-  SubjectOptions who;
+  CharacterOptions who;
   who.style = style;
-  const Subject subject(who);
-  Performance performance(subject, {});
+  const Character character(who);
+  Player player(character, {});
   std::vector<double> density, transmittance, filter;
   literal::LiteralMap map;
-  map.cells = performance.settings.map.cells;
-  map.cellSize = performance.settings.map.cellSize;
-  std::vector<float> shadows(subject.groom.pointCount());
+  map.cells = player.settings.map.cells;
+  map.cellSize = player.settings.map.cellSize;
+  std::vector<float> shadows(character.groom.pointCount());
   for (int f = 0; f < frames; ++f) {
-    performance.step();
+    player.step();
     if (f % 8 != 0) continue;
     using Clock = std::chrono::steady_clock;
     const auto seconds = [](Clock::time_point a, Clock::time_point b) {
       return std::chrono::duration<double>(b - a).count();
     };
-    const StrandView strands = performance.hair.strands();
+    const StrandView strands = player.hair.strands();
     const auto start = Clock::now();
-    literal::fillDensity(strands.points,
-                         makeLightSpace(performance.settings.lights.front().direction), map);
+    literal::fillDensity(strands.points, makeLightSpace(player.settings.lights.front().direction),
+                         map);
     const auto filled = Clock::now();
     literal::computeTransmittance(map);
     const auto walked = Clock::now();
@@ -78,11 +78,11 @@ Measured measure(Style style, int frames) {
     filter.push_back(seconds(walked, done));
   }
   const auto stage = [&](Stage from, Stage to) {
-    return performance.log.milliseconds(from, to, 0.5) / 1000;
+    return player.log.milliseconds(from, to, 0.5) / 1000;
   };
   Measured result;
-  for (std::size_t s = 0; s < subject.groom.strandCount(); ++s)
-    result.segments += subject.groom.first[s + 1] - subject.groom.first[s] - 1;
+  for (std::size_t s = 0; s < character.groom.strandCount(); ++s)
+    result.segments += character.groom.first[s + 1] - character.groom.first[s] - 1;
   result.fast = {stage(Stage::Deposit, Stage::Deposit),
                  stage(Stage::Transmittance, Stage::Transmittance),
                  stage(Stage::Filter, Stage::Shade), stage(Stage::Motion, Stage::Wisps),

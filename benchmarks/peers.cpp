@@ -50,7 +50,7 @@ void addShadow(Scenes& scenes, const std::string& who, const MakeShadow& make) {
 }
 
 LightSpace lightOf(const Scene& scene) {
-  return makeLightSpace(scene.performance.settings.lights.front().direction);
+  return makeLightSpace(scene.player.settings.lights.front().direction);
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ void registerPeers(Scenes& scenes) {
     });
   if (makeEmbreeShadow(none, Fibre{}, LightSpace{}))
     addShadow(scenes, "embree", [](const Scene& scene, const DensityMapSettings&) {
-      return makeEmbreeShadow(scene.strands, scene.subject->groom.fibre, lightOf(scene));
+      return makeEmbreeShadow(scene.strands, scene.character->groom.fibre, lightOf(scene));
     });
 }
 

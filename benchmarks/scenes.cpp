@@ -9,24 +9,24 @@ namespace hair::bench {
 
 namespace {
 
-std::unique_ptr<Subject> makeSubject(const SceneOptions& options) {
-  SubjectOptions who;
+std::unique_ptr<Character> makeSubject(const SceneOptions& options) {
+  CharacterOptions who;
   if (options.wisps == 0) {
     who.strands = options.strands;
     who.points = options.points;
-    return std::make_unique<Subject>(who);
+    return std::make_unique<Character>(who);
   }
-  auto subject = std::make_unique<Subject>(who);
+  auto character = std::make_unique<Character>(who);
   StyleSettings style = styleSettings(who.style);
   style.wisps = options.wisps;
   if (options.strands > 0) style.strands = options.strands;
   if (options.points > 0) style.points = options.points;
-  subject->groom = makeGroom(style, *subject->headCollider);
-  return subject;
+  character->groom = makeGroom(style, *character->headCollider);
+  return character;
 }
 
-PerformanceOptions performanceOptions(const SceneOptions& options) {
-  PerformanceOptions how;
+PlayerOptions playerOptions(const SceneOptions& options) {
+  PlayerOptions how;
   how.cells = options.cells;
   how.settle = options.settle;
   return how;
@@ -48,27 +48,27 @@ SceneOptions manyScene() {
 
 Scene::Scene(const SceneOptions& options_)
     : options(options_),
-      subject(makeSubject(options_)),
-      performance(*subject, performanceOptions(options_)) {
-  for (int f = 0; f < options.frames; ++f) performance.step();
-  hash = hexText(pictureHash(performance.hair));
-  strands.points = performance.hair.wisps.points;
-  strands.first = subject->groom.first;
+      character(makeSubject(options_)),
+      player(*character, playerOptions(options_)) {
+  for (int f = 0; f < options.frames; ++f) player.step();
+  hash = hexText(pictureHash(player.hair));
+  strands.points = player.hair.wisps.points;
+  strands.first = character->groom.first;
 }
 
 std::size_t Scene::segmentCount() const {
-  return subject->groom.pointCount() - subject->groom.strandCount();
+  return character->groom.pointCount() - character->groom.strandCount();
 }
 
 Counts Scene::counts() const {
-  const Hair& hair = performance.hair;
+  const Hair& hair = player.hair;
   Counts counts;
-  counts.strands = static_cast<double>(subject->groom.strandCount());
-  counts.points = static_cast<double>(subject->groom.pointCount());
-  counts.guidePoints = static_cast<double>(subject->groom.guidePoints.size());
+  counts.strands = static_cast<double>(character->groom.strandCount());
+  counts.points = static_cast<double>(character->groom.pointCount());
+  counts.guidePoints = static_cast<double>(character->groom.guidePoints.size());
   for (const DensityMap& map : hair.maps)
     counts.bricks += static_cast<double>(map.grid.bricks.size());
-  counts.countedPoints = counts.points / performance.settings.repulsion.strandStride;
+  counts.countedPoints = counts.points / player.settings.repulsion.strandStride;
   counts.countedBricks = static_cast<double>(hair.repulsion.density.bricks.size());
   return counts;
 }

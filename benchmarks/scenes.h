@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 #include <benchmarks/floor.h>
 
 namespace hair::bench {
@@ -26,7 +26,7 @@ SceneOptions smoothScene();   ///< 3,350 strands, 100 K segments
 SceneOptions millionScene();  ///< the same, 1 M segments
 SceneOptions manyScene();     ///< 100 K strands of 16 segments on 10 K guides
 
-/// A performance under way.
+/// A player under way.
 struct Scene {
   explicit Scene(const SceneOptions& options);
 
@@ -35,8 +35,8 @@ struct Scene {
   Counts counts() const;
 
   SceneOptions options;
-  std::unique_ptr<Subject> subject;
-  Performance performance;
+  std::unique_ptr<Character> character;
+  Player player;
   /// The hair after options.frames frames: guides, drawn points, transmittance, colours. Equal on
   /// every machine, for any number of threads and every instruction set.
   std::string hash;

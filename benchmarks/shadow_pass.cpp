@@ -10,19 +10,19 @@ namespace hair::bench {
 namespace {
 
 LightSpace lightOf(const Scene& scene) {
-  const Performance& performance = scene.performance;
-  return lightSpaceOf(performance.settings.lights.front(), performance.hair.pivot());
+  const Player& player = scene.player;
+  return lightSpaceOf(player.settings.lights.front(), player.hair.pivot());
 }
 
 }  // namespace
 
 DensityMapSettings paperSettings(const Scene& scene, Filter filter) {
-  DensityMapSettings settings = scene.performance.settings.map;
+  DensityMapSettings settings = scene.player.settings.map;
   settings.deposit = Deposit::Points;
   settings.filter = filter;
   DensityMap map;
   clear(map, settings, lightOf(scene));
-  deposit(scene.strands, scene.subject->groom.fibre, map);
+  deposit(scene.strands, scene.character->groom.fibre, map);
   settings.pointExtinction = map.grid.quantum / settings.cellSize;
   return settings;
 }
@@ -36,7 +36,7 @@ ShadowPass::ShadowPass(StrandView strands, const Fibre& fibre, const LightSpace&
       light_(light) {}
 
 ShadowPass::ShadowPass(const Scene& scene, const DensityMapSettings& settings_)
-    : ShadowPass(scene.strands, scene.subject->groom.fibre, lightOf(scene), settings_) {}
+    : ShadowPass(scene.strands, scene.character->groom.fibre, lightOf(scene), settings_) {}
 
 void ShadowPass::run() {
   clear(map, settings, light_);

@@ -19,8 +19,8 @@ double secondsOfStages(const FrameProfile& profile, Stage from, Stage to) {
 // Stages are timed inside of whole frames: in the caches are then what the stage before has left.
 void runStages(benchmark::State& state, Scene& scene, Stage from, Stage to) {
   const double seconds = meanSeconds(state, [&] {
-    scene.performance.step();
-    return secondsOfStages(scene.performance.profile, from, to);
+    scene.player.step();
+    return secondsOfStages(scene.player.profile, from, to);
   });
   state.SetLabel("state " + scene.hash);
   setFloor(state, leastBytes(from, to, scene.counts()), seconds);
@@ -39,8 +39,8 @@ constexpr Pass kPasses[] = {{"as_in_frame", {}, 0},
 
 void runPass(benchmark::State& state, const Scene& scene, const Pass& how) {
   const ThreadLimit limit(how.threads);
-  ShadowPass pass(
-      scene, how.paperWith ? paperSettings(scene, *how.paperWith) : scene.performance.settings.map);
+  ShadowPass pass(scene,
+                  how.paperWith ? paperSettings(scene, *how.paperWith) : scene.player.settings.map);
   const double seconds = meanSeconds(state, [&] { return secondsOf([&] { pass.run(); }); });
   state.SetLabel("state " + scene.hash);
   setFloor(state, pass.leastBytes(), seconds);
@@ -85,13 +85,13 @@ void setFloor(benchmark::State& state, double bytes, double seconds) {
 
 void runFrames(benchmark::State& state, Scene& scene) {
   const double seconds =
-      meanSeconds(state, [&] { return secondsOf([&] { scene.performance.step(); }); });
+      meanSeconds(state, [&] { return secondsOf([&] { scene.player.step(); }); });
   state.SetLabel("state " + scene.hash);
   setFloor(state, leastBytes(Stage::Motion, Stage::Shade, scene.counts()), seconds);
 }
 
 void runShadows(benchmark::State& state, const Scene& scene, int cells) {
-  DensityMapSettings settings = scene.performance.settings.map;
+  DensityMapSettings settings = scene.player.settings.map;
   settings.cellSize = settings.extent() / static_cast<float>(cells);
   settings.cells = cells;
   ShadowPass pass(scene, settings);

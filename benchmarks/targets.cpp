@@ -75,8 +75,8 @@ Scene& TargetRun::scene(SceneOptions options) {
   }
   Scene& scene = scenes.of(options);
   if (told != options.name)
-    table.comment(text(options.name, ": ", scene.subject->groom.strandCount(), " strands, ",
-                       scene.segmentCount(), " segments, ", scene.subject->groom.guideCount(),
+    table.comment(text(options.name, ": ", scene.character->groom.strandCount(), " strands, ",
+                       scene.segmentCount(), " segments, ", scene.character->groom.guideCount(),
                        " guides, state ", scene.hash));
   told = options.name;
   return scene;

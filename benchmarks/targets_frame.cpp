@@ -18,8 +18,8 @@ namespace hair::bench {
 
 namespace {
 
-void dance(Performance& performance, int frames, std::vector<double>& seconds) {
-  for (int f = 0; f < frames; ++f) seconds.push_back(secondsOf([&] { performance.step(); }));
+void dance(Player& player, int frames, std::vector<double>& seconds) {
+  for (int f = 0; f < frames; ++f) seconds.push_back(secondsOf([&] { player.step(); }));
 }
 
 double heapBytes() {
@@ -31,8 +31,8 @@ double heapBytes() {
 double bytesBesideTheMaps(Scene& scene) {
   double held = 0;
   {
-    const Groom groom = std::move(scene.subject->groom);
-    Hair hair = std::move(scene.performance.hair);
+    const Groom groom = std::move(scene.character->groom);
+    Hair hair = std::move(scene.player.hair);
     hair.maps = std::vector<DensityMap>();
     hair.repulsion.density = DensityGrid();
     held = heapBytes();
@@ -64,32 +64,32 @@ void addMemoryRows(TargetRun& run) {
 }
 
 void addFrameRows(TargetRun& run) {
-  Performance& performance = run.scene(smoothScene()).performance;
-  performance.log = {};
+  Player& player = run.scene(smoothScene()).player;
+  player.log = {};
   std::vector<double> seconds;
-  dance(performance, run.repeats(600), seconds);
+  dance(player, run.repeats(600), seconds);
   const double selfCollision =
-      performance.log.milliseconds(Stage::SelfCollision, Stage::SelfCollision, 0.5);
+      player.log.milliseconds(Stage::SelfCollision, Stage::SelfCollision, 0.5);
   run.table.row("whole frame; smooth; dancing", 1 / median(seconds), atLeast(500), "frames/s");
   run.table.row("self-collision of a whole frame; smooth", 0.1 * selfCollision / median(seconds),
                 atMost(2.5), "%");
   // The paper's deposit: how much of the time is spent on the default's accuracy.
-  const Deposit deposit = std::exchange(performance.settings.map.deposit, Deposit::Points);
+  const Deposit deposit = std::exchange(player.settings.map.deposit, Deposit::Points);
   seconds.clear();
-  dance(performance, run.repeats(600), seconds);
-  performance.settings.map.deposit = deposit;
+  dance(player, run.repeats(600), seconds);
+  player.settings.map.deposit = deposit;
   run.table.row("whole frame; smooth; dancing; deposit of the paper (Points)", 1 / median(seconds),
                 atLeast(500), "frames/s");
 }
 
 void addThreadRows(TargetRun& run) {
-  Performance& performance = run.scene(millionScene()).performance;
+  Player& player = run.scene(millionScene()).player;
   std::vector<double> one, two;
   for (int round = 0; round < run.repeats(4); ++round)
     for (const int threads : {1, 2}) {
       const ThreadLimit limit(threads);
-      performance.step();
-      dance(performance, 8, threads == 1 ? one : two);
+      player.step();
+      dance(player, 8, threads == 1 ? one : two);
     }
   run.table.row("whole frame; 1 M segments; two threads", 1 / median(two), kNoBound, "frames/s");
   run.table.row("whole frame; 1 M segments; one thread / two threads", median(one) / median(two),
@@ -98,12 +98,12 @@ void addThreadRows(TargetRun& run) {
 
 void addManyRows(TargetRun& run) {
   Scene& scene = run.scene(manyScene());
-  const auto points = static_cast<double>(scene.subject->groom.pointCount());
+  const auto points = static_cast<double>(scene.character->groom.pointCount());
   std::vector<double> seconds;
-  dance(scene.performance, run.repeats(60), seconds);
+  dance(scene.player, run.repeats(60), seconds);
   run.table.row("whole frame; 100 K strands of 16 segments on 10 K guides", 1 / median(seconds),
                 atLeast(60), "frames/s");
-  const ProfileLog& log = scene.performance.log;
+  const ProfileLog& log = scene.player.log;
   for (const Stage stage : {Stage::Guides, Stage::Wisps, Stage::SelfCollision, Stage::Deposit,
                             Stage::Transmittance, Stage::Filter, Stage::Shade})
     run.table.row(text("  of it ", stageName(stage)), log.milliseconds(stage, stage, 0.5), kNoBound,

@@ -72,14 +72,14 @@ void addShadowRows(TargetRun& run) {
 
 void addErrorRows(TargetRun& run) {
   const Scene& scene = run.scene(smoothScene());
-  const Fibre& fibre = scene.subject->groom.fibre;
+  const Fibre& fibre = scene.character->groom.fibre;
   const DensityMapSettings settings = paperSettings(scene, Filter::Centred);
   const auto points = chooseSamplePoints(scene.strands, run.quick ? 50 : 3000, 1);
   TruthSettings how;
   how.footprint = settings.cellSize;
   how.rays = run.quick ? 8 : 512;
   const auto tracer = makeGridTracer(scene.strands, fibre);
-  const LightSpace light = makeLightSpace(scene.performance.settings.lights.front().direction);
+  const LightSpace light = makeLightSpace(scene.player.settings.lights.front().direction);
   const Truth truth = exactTransmittance(*tracer, fibre, light, points, how);
   const auto errorOf = [&](auto&& pass) {
     pass.run();
@@ -93,7 +93,7 @@ void addErrorRows(TargetRun& run) {
   run.table.row("mean error of the shadow pass Points Centred", own, kNoBound, "");
   run.table.row("mean error; shadow pass Points Centred / literal", own / literal, atMost(1), "x");
   run.table.row("mean error of the shadow pass as in a frame",
-                errorOf(ShadowPass(scene, scene.performance.settings.map)), kNoBound, "");
+                errorOf(ShadowPass(scene, scene.player.settings.map)), kNoBound, "");
 }
 
 void addCellRows(TargetRun& run) {
@@ -104,7 +104,7 @@ void addCellRows(TargetRun& run) {
   };
   run.table.row("shadow pass Points Centred; 512^3 / 128^3",
                 grow(paperSettings(scene, Filter::Centred)), atMost(2.5), "x");
-  run.table.row("shadow pass as in a frame; 512^3 / 128^3", grow(scene.performance.settings.map),
+  run.table.row("shadow pass as in a frame; 512^3 / 128^3", grow(scene.player.settings.map),
                 kNoBound, "x");
 }
 

@@ -100,88 +100,86 @@ void addReadOptions(CLI::App& command, ReadOptions& read) {
               "Blender), x, y-down; default: what it states, or .hair z, others y");
 }
 
-void addHairOptions(CLI::App& command, SubjectOptions& subject) {
+void addHairOptions(CLI::App& command, CharacterOptions& character) {
   static const std::map<std::string, Style> styles = {
       {"smooth", Style::Smooth}, {"curly", Style::Curly}, {"long", Style::Long}};
   auto* style = command
-                    .add_option("--style", subject.style,
+                    .add_option("--style", character.style,
                                 "built-in hairstyle: smooth, curly or long; default smooth")
                     ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case).description(""))
                     ->type_name("STYLE");
   command
-      .add_option("--hair", subject.hair,
+      .add_option("--hair", character.hair,
                   "hair of a file instead: .hair, .tfx, .data, .ply or .usda; or a hair mesh: "
                   ".hairmesh or .obj")
       ->excludes(style);
   command
-      .add_option("--strands", subject.strands,
+      .add_option("--strands", character.strands,
                   "drawn strands; default: the style's, or all of the file's")
       ->check(CLI::Range(1, 10'000'000));
   command
-      .add_option("--points", subject.points,
+      .add_option("--points", character.points,
                   "points of a drawn strand; default: the style's, or the file's")
       ->check(CLI::Range(2, 4096));
-  addReadOptions(command, subject.read);
+  addReadOptions(command, character.read);
 }
 
-void addSubjectOptions(CLI::App& command, SubjectOptions& subject) {
-  addHairOptions(command, subject);
+void addCharacterOptions(CLI::App& command, CharacterOptions& character) {
+  addHairOptions(command, character);
   command
       .add_option(
-          "--head", subject.heads,
+          "--head", character.heads,
           "the head of that hair, .obj in the same coordinates; again for eyes and the like")
       ->expected(1)
       ->take_all()
       ->type_name("FILE");
-  command.add_option("--motion", subject.motion,
+  command.add_option("--motion", character.motion,
                      "motion capture, .bvh; default: the built-in dance");
   command
-      .add_option("--motion-scale", subject.motionScale,
+      .add_option("--motion-scale", character.motionScale,
                   "metres per unit of the clip; default 0.01")
       ->check(within(1e-9, 1e9));
-  command.add_flag("--still", subject.still, "nobody moves");
+  command.add_flag("--still", character.still, "nobody moves");
   command
-      .add_option("--guides", subject.guides, "simulated strands of a loaded groom; default 402")
+      .add_option("--guides", character.guides, "simulated strands of a loaded groom; default 402")
       ->check(CLI::Range(1, 1'000'000));
 }
 
-void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, int& threads) {
-  command.add_option("--fps", performance.fps, "frames a second of the motion; default 60")
+void addPlayerOptions(CLI::App& command, PlayerOptions& player, int& threads) {
+  command.add_option("--fps", player.fps, "frames a second of the motion; default 60")
       ->check(within(1.0, 1000.0));
   command
-      .add_option("--motion-speed", performance.motionSpeed,
+      .add_option("--motion-speed", player.motionSpeed,
                   "the dancer moves so many times as fast, and the hair has to follow; default 1")
       ->check(within(0.01, 100.0));
   command.add_option("--threads", threads, "0, the default: as many as the machine has")
       ->check(CLI::Range(0, 1024));
-  command
-      .add_option("--cells", performance.cells, "of the shadow map along each axis; default 128")
+  command.add_option("--cells", player.cells, "of the shadow map along each axis; default 128")
       ->check(CLI::Range(2, 1024));
-  addLights(command, "--light", Light::Kind::Parallel, performance.lights,
+  addLights(command, "--light", Light::Kind::Parallel, player.lights,
             "the way parallel light travels, and its colour (linear; default 1,1,1); again for "
             "more lights; default 0.45,-0.8,-0.4");
-  addLights(command, "--point", Light::Kind::Point, performance.lights,
+  addLights(command, "--point", Light::Kind::Point, player.lights,
             "a light at a point, metres, and its colour where the head is, brighter nearer by; "
             "again for more lights");
-  addVector(command, "--wind", performance.wind, "m/s; default still air");
+  addVector(command, "--wind", player.wind, "m/s; default still air");
   command.add_flag_callback(
-      "--no-shadow", [&performance] { performance.shadow = false; }, "leave self-shadowing out");
+      "--no-shadow", [&player] { player.shadow = false; }, "leave self-shadowing out");
   command.add_flag_callback(
-      "--no-self-collision", [&performance] { performance.selfCollision = false; },
+      "--no-self-collision", [&player] { player.selfCollision = false; },
       "leave hair-hair repulsion out");
   static const std::map<std::string, LinkSolver> solvers = {{"direct", LinkSolver::Direct},
                                                             {"relaxation", LinkSolver::Relaxation}};
   command
-      .add_option("--solver", performance.linkSolver,
+      .add_option("--solver", player.linkSolver,
                   "of the guides' links: direct (default) or relaxation, which stretches")
       ->transform(CLI::CheckedTransformer(solvers, CLI::ignore_case).description(""))
       ->type_name("SOLVER");
   command
-      .add_option("--solver-iterations", performance.linkIterations,
+      .add_option("--solver-iterations", player.linkIterations,
                   "of the solver a substep; default 2; relaxation wants 8 or more")
       ->check(CLI::Range(1, 32));
-  command
-      .add_option("--settle", performance.settle, "seconds to settle in the first pose; default 1")
+  command.add_option("--settle", player.settle, "seconds to settle in the first pose; default 1")
       ->check(within(0.0, 60.0));
 }
 

@@ -12,9 +12,9 @@
 #include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
 
-#include <apps/common/performance.h>
+#include <apps/common/character.h>
+#include <apps/common/player.h>
 #include <apps/common/results.h>
-#include <apps/common/subject.h>
 #include <libhair/core/error.h>
 
 namespace hair {
@@ -32,14 +32,14 @@ void addUpOption(CLI::App& command, const std::string& name, UpAxis& up, const s
 void addReadOptions(CLI::App& command, ReadOptions& read);
 
 /// --style, --hair, --strands, --points, --scale, --up
-void addHairOptions(CLI::App& command, SubjectOptions& subject);
+void addHairOptions(CLI::App& command, CharacterOptions& character);
 
 /// Those and --head, --motion, --motion-scale, --still, --guides
-void addSubjectOptions(CLI::App& command, SubjectOptions& subject);
+void addCharacterOptions(CLI::App& command, CharacterOptions& character);
 
 /// --fps, --cells, --light, --point, --wind, --no-shadow, --no-self-collision,
 /// --solver, --solver-iterations, --settle, --threads
-void addPerformanceOptions(CLI::App& command, PerformanceOptions& performance, int& threads);
+void addPlayerOptions(CLI::App& command, PlayerOptions& player, int& threads);
 
 /// --profile, --stats, --hash
 void addResultOptions(CLI::App& command, ResultFiles& results);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <apps/common/subject.h>
+#include <apps/common/character.h>
 #include <libhair/core/error.h>
 #include <libhair/hair_mesh/hair_mesh_file.h>
 #include <libhair/hair_mesh/mesh_groom.h>
@@ -28,7 +28,7 @@ void askFor(std::uint32_t strands, MeshHair& hair) {
   hair.grown = growHair(hair.mesh, hair.groups);
 }
 
-Hairstyle styleOf(const SubjectOptions& options) {
+Hairstyle styleOf(const CharacterOptions& options) {
   if (isHairMeshScript(options.hair))
     return applyScript(readHairMeshScript(options.hair), filesBeside(options.hair));
   return {readHairMesh(options.hair), {}, {}};
@@ -36,7 +36,7 @@ Hairstyle styleOf(const SubjectOptions& options) {
 
 }  // namespace
 
-MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& notes) {
+MeshHair growMeshHair(const CharacterOptions& options, std::vector<std::string>& notes) {
   MeshHair hair;
   Hairstyle style = styleOf(options);
   hair.mesh = std::move(style.mesh);

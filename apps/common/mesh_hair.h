@@ -11,7 +11,7 @@
 
 namespace hair {
 
-struct SubjectOptions;
+struct CharacterOptions;
 
 /// Whether a file is a hair mesh by its name: a script (.hairmesh), or layers (.obj).
 inline bool isHairMeshScript(const std::filesystem::path& file) {
@@ -32,7 +32,7 @@ struct MeshHair {
 /// Reads or builds the mesh of options.hair and grows its groups; of an .obj, which has none, one
 /// group as StrandGroup has it. --strands and --points count for the groups together and for each.
 /// Throws Error (file, line, cause), and where hair meshes were left out of the build.
-MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>& notes);
+MeshHair growMeshHair(const CharacterOptions& options, std::vector<std::string>& notes);
 
 /// Moves mesh and strands with the head they grow on.
 void moveBy(const RigidTransform& to, MeshHair& hair);

@@ -9,7 +9,7 @@
 
 namespace hair {
 
-/// Shows the hair mesh under a performance's hair, in the colours of the paper (Yuksel et al. 2009,
+/// Shows the hair mesh under a player's hair, in the colours of the paper (Yuksel et al. 2009,
 /// figure 2): scalp green, tips purple, exterior vertices blue, interior ones red.
 class MeshOverlay {
  public:

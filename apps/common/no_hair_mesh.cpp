@@ -1,12 +1,12 @@
 // What the programs are without hair meshes (HAIR_WITH_HAIR_MESH=OFF): a file that is one is
 // refused, and so there is none to show or to edit.
+#include <apps/common/character.h>
 #include <apps/common/mesh_editor.h>
-#include <apps/common/subject.h>
 #include <libhair/core/error.h>
 
 namespace hair {
 
-MeshHair growMeshHair(const SubjectOptions& options, std::vector<std::string>&) {
+MeshHair growMeshHair(const CharacterOptions& options, std::vector<std::string>&) {
   throw Error(text(options.hair.string(),
                    ": hair meshes were left out of this build; configure it with "
                    "HAIR_WITH_HAIR_MESH=ON"));

@@ -1,4 +1,4 @@
-// What staging is without hair meshes (HAIR_WITH_HAIR_MESH=OFF): there is none to show.
+// What the view is without hair meshes (HAIR_WITH_HAIR_MESH=OFF): there is none to show.
 #include <apps/common/mesh_overlay.h>
 
 namespace hair {

@@ -9,17 +9,17 @@
 
 namespace hair {
 
-void writeResults(const ResultFiles& files, const Performance& performance, const ProfileLog& log,
+void writeResults(const ResultFiles& files, const Player& player, const ProfileLog& log,
                   const StatsLog& stats) {
   if (!files.profile.empty())
     writeAtomically(files.profile, [&](std::ostream& out) { log.writeCsv(out); });
   if (!files.stats.empty())
     writeAtomically(files.stats, [&](std::ostream& out) { out << stats.csv(); });
-  std::cout << performance.hair.strands().strandCount() << " strands, "
-            << performance.hair.strands().pointCount()
+  std::cout << player.hair.strands().strandCount() << " strands, "
+            << player.hair.strands().pointCount()
             << " points: " << log.milliseconds(Stage::Motion, Stage::Shade, 0.5)
             << " ms a frame (median, without drawing)\n";
-  if (files.hash) std::cout << "hash " << hexText(performance.simulation.stateHash()) << '\n';
+  if (files.hash) std::cout << "hash " << hexText(player.simulation.stateHash()) << '\n';
 }
 
 std::string drawingTimes(const ProfileLog& log, const std::string& drawnBy) {

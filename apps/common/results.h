@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 
 namespace hair {
 
@@ -15,7 +15,7 @@ struct ResultFiles {
 };
 
 /// Writes what was asked for, prints the median time of a frame of the log, and the hash last.
-void writeResults(const ResultFiles& files, const Performance& performance, const ProfileLog& log,
+void writeResults(const ResultFiles& files, const Player& player, const ProfileLog& log,
                   const StatsLog& stats);
 
 /// One line: medians of the log's frames without Stage::Draw and of Stage::Draw alone, and how many

@@ -7,7 +7,7 @@
 
 #include <glm/glm.hpp>
 
-#include <apps/common/staging.h>
+#include <apps/common/scene_view.h>
 #include <apps/dance/history.h>
 #include <libhair/model/styles.h>
 #include <libhair/repulsion/repulsion.h>

@@ -3,16 +3,16 @@
 #include <filesystem>
 #include <string>
 
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 #include <apps/common/results.h>
-#include <apps/common/staging.h>
+#include <apps/common/scene_view.h>
 
 namespace hair {
 
 /// What the command line of `dance` says.
 struct DanceOptions {
-  SubjectOptions subject;
-  PerformanceOptions performance;
+  CharacterOptions character;
+  PlayerOptions player;
   int threads = 0;
   bool headless = false;           ///< --headless, or no display
   int frames = 0;                  ///< --frames; 0: the whole motion, or while the window is open

@@ -27,16 +27,16 @@ std::string drawnBy() {
 int runHeadless(const DanceOptions& options) {
   const draw::OffscreenContext context;
   draw::Renderer renderer;
-  const Subject subject(options.subject);
-  for (const std::string& note : subject.notes) std::cerr << note << '\n';
-  Performance performance(subject, options.performance);
-  Staging staging(performance);
-  staging.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
-  staging.scene.sideBySide = options.sideBySide;
+  const Character character(options.character);
+  for (const std::string& note : character.notes) std::cerr << note << '\n';
+  Player player(character, options.player);
+  SceneView view(player);
+  view.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
+  view.scene.sideBySide = options.sideBySide;
 
-  const double fps = options.performance.fps;
-  const double seconds = subject.motion.duration() > 0
-                             ? subject.motion.duration() / options.performance.motionSpeed
+  const double fps = options.player.fps;
+  const double seconds = character.motion.duration() > 0
+                             ? character.motion.duration() / options.player.motionSpeed
                              : 5;
   const int frames = options.frames > 0
                          ? options.frames
@@ -53,11 +53,11 @@ int runHeadless(const DanceOptions& options) {
   ProfileLog drawn;  // of the frames that there is a picture of
   Progress progress("dance", frames);
   for (int f = 0; f < frames; ++f) {
-    performance.step();
-    if (!options.results.stats.empty()) stats.add(performance);
+    player.step();
+    if (!options.results.stats.empty()) stats.add(player);
     if (f % stride == 0) {
-      staging.drawTimed(renderer, options.width, options.height);
-      drawn.add(performance.profile);
+      view.drawTimed(renderer, options.width, options.height);
+      drawn.add(player.profile);
       renderer.read(picture);
       video.add(picture);
       // Tile t of the sheet is the picture nearest to t / tiles of the whole.
@@ -77,7 +77,7 @@ int runHeadless(const DanceOptions& options) {
   std::cout << options.out.string() << " and " << sheetFile.string() << ": " << pictures
             << " pictures of " << frames << " frames\n"
             << drawingTimes(drawn, drawnBy()) << '\n';
-  writeResults(options.results, performance, drawn, stats);
+  writeResults(options.results, player, drawn, stats);
   return 0;
 }
 

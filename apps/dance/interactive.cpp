@@ -60,9 +60,9 @@ Interactive::Interactive(const DanceOptions& options)
     : options_(options),
       window_("dance", options.width, options.height),
       controls_(controlsOf(options)),
-      pace_(options.performance.fps) {
+      pace_(options.player.fps) {
   readout_.softwareDrawing = draw::drawsOnCpu(draw::rendererName());
-  readout_.hairFile = options.subject.hair.filename().string();
+  readout_.hairFile = options.character.hair.filename().string();
   if (readout_.softwareDrawing) controls_.samples = 1;
   makeRenderer();
 }
@@ -81,16 +81,16 @@ void Interactive::makeRenderer() {
 void Interactive::grow() {
   try {
     auto next = std::make_unique<Show>(options_, controls_.growth);
-    if (show_) next->takeOver(show_->staging.scene);
+    if (show_) next->takeOver(show_->view.scene);
     show_ = std::move(next);
     readout_.failure.clear();
     controls_.editMesh = editing_ = false;  // its mesh, if it has one, is another
     window_.holdDrag(false);
     readout_.history = {};
-    pace_ = FixedTimestep(options_.performance.fps);
+    pace_ = FixedTimestep(options_.player.fps);
     readout_.grown = controls_.growth;
-    readout_.notes = show_->subject.notes;
-    for (const std::string& note : show_->subject.notes) std::cerr << note << '\n';
+    readout_.notes = show_->character.notes;
+    for (const std::string& note : show_->character.notes) std::cerr << note << '\n';
   } catch (const Error& error) {
     if (!show_) throw;
     readout_.failure = error.what();
@@ -104,8 +104,8 @@ void Interactive::obey(const Requests& asked, const draw::WindowRequests& keys) 
   stepAsked_ = asked.step || keys.step;
   if (stepAsked_) controls_.paused = true;
   if (asked.reset || keys.reset) {
-    show_->performance.restart();
-    pace_ = FixedTimestep(options_.performance.fps);
+    show_->player.restart();
+    pace_ = FixedTimestep(options_.player.fps);
   }
   if (asked.undo) show_->undo();
   if (asked.redo) show_->redo();
@@ -118,15 +118,15 @@ void Interactive::obey(const Requests& asked, const draw::WindowRequests& keys) 
     window_.holdDrag(show_->edit(window_.pointer(), {window_.width(), window_.height()}));
   }
   editing_ = controls_.editMesh;
-  if (controls_.ownLook) controls_.look = show_->subject.look;
+  if (controls_.ownLook) controls_.look = show_->character.look;
   show_->apply(controls_);
   makeRenderer();
 }
 
 void Interactive::stepOnce() {
-  show_->performance.step();
+  show_->player.step();
   moved_ = true;
-  if (!options_.results.stats.empty()) stats_.add(show_->performance);
+  if (!options_.results.stats.empty()) stats_.add(show_->player);
   if (++framesDone_ == options_.frames) window_.close();
 }
 
@@ -139,22 +139,22 @@ void Interactive::simulate(double seconds) {
   readout_.droppedSeconds = pace_.droppedSeconds();
   if (seconds <= 0) return;  // the first picture
   follow(secondsAPicture_, seconds);
-  follow(simulatedAPicture_, controls_.paused ? 0 : run / options_.performance.fps);
+  follow(simulatedAPicture_, controls_.paused ? 0 : run / options_.player.fps);
   readout_.picturesPerSecond = 1 / secondsAPicture_;
   readout_.simulatedPerSecond = controls_.paused ? 0 : simulatedAPicture_ / secondsAPicture_;
 }
 
 void Interactive::drawPicture(bool aboutToGrow) {
   if (aboutToGrow) drawNotice("Growing hair, please wait ...");
-  Staging& staging = show_->staging;
-  const FrameProfile& profile = show_->performance.profile;
+  SceneView& view = show_->view;
+  const FrameProfile& profile = show_->player.profile;
   // Waiting for the picture keeps the CPU from running ahead: only while someone looks at times.
   if (panelShown_ && readout_.timesShown) {
-    staging.drawTimed(*renderer_, window_.width(), window_.height());
+    view.drawTimed(*renderer_, window_.width(), window_.height());
     readout_.history.pictures.add(milliseconds(profile[kDrawStage]));
     if (moved_) show_->drawn.add(profile);
   } else {
-    renderer_->draw(staging.update(*renderer_), window_.width(), window_.height());
+    renderer_->draw(view.update(*renderer_), window_.width(), window_.height());
   }
   if (std::exchange(moved_, false)) readout_.history.frames.add(profile);
   window_.endFrame(*renderer_);
@@ -171,7 +171,7 @@ int Interactive::run() {
 
   bool fresh = true;
   auto before = Clock::now();
-  while (window_.beginFrame(show_->staging.scene)) {
+  while (window_.beginFrame(show_->view.scene)) {
     const double seconds = std::exchange(fresh, false) ? 0 : secondsSince(before);
     before = Clock::now();
     show_->report(readout_);
@@ -187,8 +187,8 @@ int Interactive::run() {
   }
   const ProfileLog& drawn = show_->drawn;
   std::cout << drawingTimes(drawn, drawnBy()) << '\n';
-  writeResults(options_.results, show_->performance,
-               drawn.frameCount() > 0 ? drawn : show_->performance.log, stats_);
+  writeResults(options_.results, show_->player, drawn.frameCount() > 0 ? drawn : show_->player.log,
+               stats_);
   return 0;
 }
 

@@ -5,8 +5,8 @@
 namespace hair {
 
 void addDanceOptions(CLI::App& app, DanceOptions& options) {
-  addSubjectOptions(app, options.subject);
-  addPerformanceOptions(app, options.performance, options.threads);
+  addCharacterOptions(app, options.character);
+  addPlayerOptions(app, options.player, options.threads);
   addResultOptions(app, options.results);
   app.add_flag("--headless", options.headless, "no window, even where there is a display");
   app.add_option("--frames", options.frames,

@@ -9,15 +9,15 @@ namespace hair {
 
 namespace {
 
-SubjectOptions subjectOf(const DanceOptions& options, const Controls::Growth& growth) {
-  SubjectOptions subject = options.subject;
+CharacterOptions subjectOf(const DanceOptions& options, const Controls::Growth& growth) {
+  CharacterOptions character = options.character;
   if (!growth.fromFile) {
-    subject.hair.clear();
-    subject.heads.clear();
-    subject.style = growth.style;
+    character.hair.clear();
+    character.heads.clear();
+    character.style = growth.style;
   }
-  subject.strands = static_cast<std::uint32_t>(growth.strands);
-  return subject;
+  character.strands = static_cast<std::uint32_t>(growth.strands);
+  return character;
 }
 
 glm::vec3 velocityOf(const Controls::Breeze& wind) {
@@ -30,16 +30,16 @@ glm::vec3 velocityOf(const Controls::Breeze& wind) {
 
 Controls controlsOf(const DanceOptions& options) {
   Controls c;
-  c.growth.fromFile = !options.subject.hair.empty();
-  c.growth.style = options.subject.style;
-  c.growth.strands = static_cast<int>(options.subject.strands);
-  c.shadow.cells = options.performance.cells;
-  if (!options.performance.shadow)
+  c.growth.fromFile = !options.character.hair.empty();
+  c.growth.style = options.character.style;
+  c.growth.strands = static_cast<int>(options.character.strands);
+  c.shadow.cells = options.player.cells;
+  if (!options.player.shadow)
     c.shadow.view = ShadowView::Off;
   else if (options.sideBySide)
     c.shadow.view = ShadowView::SideBySide;
-  c.selfCollision.on = options.performance.selfCollision;
-  const glm::vec3 wind = options.performance.wind;
+  c.selfCollision.on = options.player.selfCollision;
+  const glm::vec3 wind = options.player.wind;
   c.wind.speed = glm::length(wind);
   if (c.wind.speed > 0) {
     c.wind.towards = glm::degrees(std::atan2(wind.x, wind.z));
@@ -49,26 +49,26 @@ Controls controlsOf(const DanceOptions& options) {
 }
 
 Show::Show(const DanceOptions& options, const Controls::Growth& growth)
-    : subject(subjectOf(options, growth)),
-      performance(subject, options.performance),
-      staging(performance),
+    : character(subjectOf(options, growth)),
+      player(character, options.player),
+      view(player),
       applied_(controlsOf(options)),
-      mapExtent_(performance.settings.map.extent()) {
-  staging.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
+      mapExtent_(player.settings.map.extent()) {
+  view.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
 }
 
 void Show::apply(const Controls& c) {
-  FrameSettings& settings = performance.settings;
+  FrameSettings& settings = player.settings;
   settings.appearance = c.look;
-  staging.headShadowsHair = c.headShadowsHair;
-  staging.follow = c.follow;
-  staging.shown = c.internals;
-  staging.edited = editor_ ? &editor_->hair().mesh : nullptr;
-  staging.editing = c.editMesh;
-  staging.scene.debug.onTop = c.internalsOnTop;
-  staging.scene.ground.visible = c.ground;
-  staging.scene.hair[0].primitive = c.primitive;
-  staging.scene.sideBySide = c.shadow.view == ShadowView::SideBySide;
+  view.headShadowsHair = c.headShadowsHair;
+  view.follow = c.follow;
+  view.shown = c.internals;
+  view.edited = editor_ ? &editor_->hair().mesh : nullptr;
+  view.editing = c.editMesh;
+  view.scene.debug.onTop = c.internalsOnTop;
+  view.scene.ground.visible = c.ground;
+  view.scene.hair[0].primitive = c.primitive;
+  view.scene.sideBySide = c.shadow.view == ShadowView::SideBySide;
 
   if (c.selfCollision != applied_.selfCollision) {
     settings.selfCollision = c.selfCollision.on;
@@ -86,34 +86,34 @@ void Show::apply(const Controls& c) {
     settings.map.deposit = c.shadow.deposit;
     settings.map.filter = c.shadow.filter;
     settings.map.footprint = 2 * settings.map.cellSize;
-    performance.relight();
+    player.relight();
   }
   applied_ = c;
 }
 
 void Show::takeOver(const draw::Scene& before) {
-  staging.scene.camera.yaw = before.camera.yaw;
-  staging.scene.camera.pitch = before.camera.pitch;
-  staging.scene.camera.distance = before.camera.distance;
-  staging.scene.lights = before.lights;
+  view.scene.camera.yaw = before.camera.yaw;
+  view.scene.camera.pitch = before.camera.pitch;
+  view.scene.camera.distance = before.camera.distance;
+  view.scene.lights = before.lights;
 }
 
 // Hair of what an edit leaves.
 void Show::follow() {
-  performance.simulation.setGroom(std::make_shared<Groom>(groomOf(editor_->hair())));
+  player.simulation.setGroom(std::make_shared<Groom>(groomOf(editor_->hair())));
   rest();
 }
 
 void Show::rest() {
-  performance.simulation.restart(performance.simulation.body(), 0);
+  player.simulation.restart(player.simulation.body(), 0);
 }
 
 bool Show::edit(const draw::Pointer& pointer, glm::vec2 size) {
-  if (!subject.mesh) return false;
-  if (!editor_) editor_ = std::make_unique<MeshEditor>(*subject.mesh);
-  const draw::Camera& camera = staging.scene.camera;
+  if (!character.mesh) return false;
+  if (!editor_) editor_ = std::make_unique<MeshEditor>(*character.mesh);
+  const draw::Camera& camera = view.scene.camera;
   const glm::mat4 clipFromHead = camera.clipFromView(size.x / size.y) * camera.viewFromWorld() *
-                                 matrixOf(performance.pose.worldFromHead);
+                                 matrixOf(player.pose.worldFromHead);
   if (pointer.pressed) {
     dragged_ = editor_->pick(clipFromHead, size, pointer.at);
     if (dragged_) grip_ = editor_->pixelOf(*dragged_, clipFromHead, size) - pointer.at;
@@ -155,7 +155,7 @@ void Show::redo() {
 }
 
 void Show::report(Readout& r) const {
-  const Hair& hair = performance.hair;
+  const Hair& hair = player.hair;
   r.strands = hair.strands().strandCount();
   r.points = hair.strands().pointCount();
   r.guides = hair.guides.guideCount();
@@ -166,10 +166,10 @@ void Show::report(Readout& r) const {
     r.saturatedCells += map.grid.saturatedCells;
     r.aliased |= map.aliased();
   }
-  r.cellSize = performance.settings.map.cellSize;
-  r.time = performance.time;
-  r.duration = subject.motion.duration();
-  r.hasMesh = subject.mesh.has_value();
+  r.cellSize = player.settings.map.cellSize;
+  r.time = player.time;
+  r.duration = character.motion.duration();
+  r.hasMesh = character.mesh.has_value();
   r.canUndo = editor_ && editor_->canUndo();
   r.canRedo = editor_ && editor_->canRedo();
   r.editMilliseconds = editMilliseconds_;

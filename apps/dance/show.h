@@ -14,10 +14,10 @@ namespace hair {
 /// What the command line says, as the panel shows it.
 Controls controlsOf(const DanceOptions& options);
 
-/// A subject on stage that obeys the panel.
+/// A character in a view that obeys the panel.
 class Show {
  public:
-  /// The hair of `growth`, everything else of the command line. Throws Error as Subject does.
+  /// The hair of `growth`, everything else of the command line. Throws Error as Character does.
   Show(const DanceOptions& options, const Controls::Growth& growth);
   Show(const Show&) = delete;
   Show& operator=(const Show&) = delete;
@@ -37,9 +37,9 @@ class Show {
   void undo();
   void redo();
 
-  Subject subject;
-  Performance performance;
-  Staging staging;
+  Character character;
+  Player player;
+  SceneView view;
   ProfileLog drawn;  ///< of the frames whose drawing was timed
 
  private:

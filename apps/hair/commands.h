@@ -9,9 +9,9 @@
 
 #include <glm/glm.hpp>
 
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 #include <apps/common/results.h>
-#include <apps/common/staging.h>
+#include <apps/common/scene_view.h>
 #include <libhair/files/strand_file.h>
 #include <libhair/measure/motion/simulation_trial.h>
 #include <libhair/model/level_of_detail.h>
@@ -43,8 +43,8 @@ void runConvert(const ConvertOptions& options);
 
 /// hair simulate
 struct SimulateOptions {
-  SubjectOptions subject;
-  PerformanceOptions performance;
+  CharacterOptions character;
+  PlayerOptions player;
   int frames = 120;
   int threads = 0;              ///< 0: as many as the machine has
   std::filesystem::path cache;  ///< a sequence (strand_sequence.h); numbered where it has to be
@@ -55,8 +55,8 @@ void runSimulate(const SimulateOptions& options);
 
 /// hair render
 struct RenderOptions {
-  SubjectOptions subject;
-  PerformanceOptions performance;
+  CharacterOptions character;
+  PlayerOptions player;
   int frames = 0;  ///< simulated before the picture is taken
   int threads = 0;
   float yaw = 30, pitch = 3;  ///< degrees from straight before the face
@@ -70,7 +70,7 @@ void runRender(const RenderOptions& options);
 
 /// hair measure
 struct MeasureOptions {
-  SubjectOptions subject;         ///< --style, or --hair with its strands as they are in the file
+  CharacterOptions character;     ///< --style, or --hair with its strands as they are in the file
   float width = 0;                ///< of a strand, metres; 0: the groom's, the file's, or 80e-6
   float alpha = 0;                ///< opacity of a fibre, (0, 1]; 0: Fibre's
   std::vector<glm::vec3> lights;  ///< the ways that lights at infinity travel
@@ -92,8 +92,8 @@ void runMeasure(const MeasureOptions& options);
 
 /// hair measure-motion
 struct MeasureMotionOptions {
-  SubjectOptions subject;
-  PerformanceOptions performance;
+  CharacterOptions character;
+  PlayerOptions player;
   SimulationTrialSettings trial;
   std::vector<std::size_t> guideCounts{402, 201, 100, 50, 25};  ///< empty: guides are not thinned
   int threads = 0;
@@ -104,9 +104,9 @@ void runMeasureMotion(const MeasureMotionOptions& options);
 
 /// hair plan
 struct PlanOptions {
-  SubjectOptions subject;
-  PerformanceOptions performance;
-  int frames = 120;  ///< of every performance; cut into blocks
+  CharacterOptions character;
+  PlayerOptions player;
+  int frames = 120;  ///< of every player; cut into blocks
   int threads = 0;
   std::filesystem::path csv;  ///< one row a feature
 };
@@ -114,8 +114,8 @@ void runPlan(const PlanOptions& options);
 
 /// hair lod
 struct LodOptions {
-  SubjectOptions subject;
-  PerformanceOptions performance;
+  CharacterOptions character;
+  PlayerOptions player;
   std::vector<float> sizes{800, 400, 200, 100, 50};  ///< of the head, pixels
   float importance = 1;
   DetailSettings detail;

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <utility>
 
-#include <apps/common/staging.h>
+#include <apps/common/scene_view.h>
 #include <apps/draw/gl_context.h>
 #include <apps/draw/image.h>
 #include <apps/hair/commands.h>
@@ -107,36 +107,35 @@ Picture difference(const Picture& a, const Picture& b) {
   return d;
 }
 
-// Pictures of one moment of a performance at any level and size.
+// Pictures of one moment of a motion at any level and size.
 class Studio {
  public:
-  Studio(Performance& performance, const LodOptions& options)
-      : performance_(performance), staging_(performance) {
-    staging_.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
+  Studio(Player& player, const LodOptions& options) : player_(player), view_(player) {
+    view_.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
     // Lines are never wider than a pixel, and would lose what is.
-    staging_.scene.hair[0].primitive = draw::HairPrimitive::Ribbons;
+    view_.scene.hair[0].primitive = draw::HairPrimitive::Ribbons;
   }
   // A square picture in which the head is so many pixels high. Each pixel is the mean of many.
   Picture shoot(const LevelOfDetail& level, float pixels, bool bald = false) {
-    const draw::Camera& camera = staging_.scene.camera;
+    const draw::Camera& camera = view_.scene.camera;
     const float share = headPixels(camera.distance, camera.fieldOfView, 1);
     const int side = std::max(static_cast<int>(std::lround(pixels / share)), 1);
     const int samples = std::clamp(kLargest / side, 1, kMostSamples);
-    performance_.hair.level = level;
-    redraw(performance_.hair);
-    performance_.relight();
-    staging_.update(renderer_);
-    if (bald) staging_.scene.hair[0].strands = {}, staging_.scene.hair[0].colours = {};
-    renderer_.draw(staging_.scene, samples * side, samples * side);
+    player_.hair.level = level;
+    redraw(player_.hair);
+    player_.relight();
+    view_.update(renderer_);
+    if (bald) view_.scene.hair[0].strands = {}, view_.scene.hair[0].colours = {};
+    renderer_.draw(view_.scene, samples * side, samples * side);
     return draw::downscaled(renderer_.read(), side, side);
   }
 
  private:
-  Performance& performance_;
+  Player& player_;
   draw::OffscreenContext context_;
   // Every strand casts its shadow: a choice of some would be another one at each level.
   draw::Renderer renderer_{{4, 1024, 1 << 30}};
-  Staging staging_;
+  SceneView view_;
 };
 
 // Of the hair as it stands from what the whole hair's map says at the same points.
@@ -194,17 +193,17 @@ LodRow look(const GroomDetail& detail, const LodOptions& options, float pixels, 
 }
 
 // Frames of the motion, all of the hair and the level by turns.
-void time(const LodOptions& options, Performance& performance, LodRow& row) {
+void time(const LodOptions& options, Player& player, LodRow& row) {
   constexpr int kTurns = 3;  // a machine that is busy for a while is so for both
   std::vector<double> whole, less;
   for (int turn = 0; turn < kTurns; ++turn)
     for (const bool all : {true, false}) {
-      performance.hair.level = all ? LevelOfDetail{} : row.level;
-      performance.step();  // makes room
+      player.hair.level = all ? LevelOfDetail{} : row.level;
+      player.step();  // makes room
       for (int f = 0; f < (options.frames + kTurns - 1) / kTurns; ++f) {
-        performance.step();
+        player.step();
         double ms = 0;
-        for (const StageTime& stage : performance.profile)
+        for (const StageTime& stage : player.profile)
           ms += static_cast<double>(stage.nanoseconds) * 1e-6;
         (all ? whole : less).push_back(ms);
       }
@@ -212,8 +211,8 @@ void time(const LodOptions& options, Performance& performance, LodRow& row) {
   row.fullMs = median(whole), row.ms = median(less);
 }
 
-void print(const std::vector<LodRow>& rows, const Subject& subject) {
-  const Groom& groom = subject.groom;
+void print(const std::vector<LodRow>& rows, const Character& character) {
+  const Groom& groom = character.groom;
   std::cout << groom.strandCount() << " strands, " << groom.pointCount() << " points\n\n"
             << "head  strands   wider  points  cell   map     points  frame  of all  shadow        "
                " picture, %     1 % on, %\n"
@@ -260,21 +259,21 @@ void writeCsv(const std::filesystem::path& file, const std::vector<LodRow>& rows
 
 void runLod(const LodOptions& options) {
   const ThreadLimit limit(options.threads);
-  const Subject subject(options.subject);
-  for (const std::string& note : subject.notes) std::cerr << note << '\n';
-  Performance performance(subject, options.performance);
-  const GroomDetail detail(subject.groom);
-  performance.simulation.setDetail(borrowed(detail));
+  const Character character(options.character);
+  for (const std::string& note : character.notes) std::cerr << note << '\n';
+  Player player(character, options.player);
+  const GroomDetail detail(character.groom);
+  player.simulation.setDetail(borrowed(detail));
   std::vector<LodRow> rows;
   std::vector<Picture> sheet;
   {
-    Studio studio(performance, options);
+    Studio studio(player, options);
     for (const float pixels : options.sizes)
-      rows.push_back(look(detail, options, pixels, studio, performance.hair, sheet));
+      rows.push_back(look(detail, options, pixels, studio, player.hair, sheet));
   }
-  performance.settings.shade = true;
-  for (LodRow& row : rows) time(options, performance, row);
-  print(rows, subject);
+  player.settings.shade = true;
+  for (LodRow& row : rows) time(options, player, row);
+  print(rows, character);
   if (!options.csv.empty()) writeCsv(options.csv, rows);
   if (!sheet.empty()) draw::writeImage(draw::contactSheet(sheet, 3), options.sheet);
 }

@@ -9,8 +9,8 @@ void addLod(CLI::App& app, Run& run) {
   auto options = std::make_shared<LodOptions>();
   CLI::App* command = app.add_subcommand(
       "lod", "Levels of detail: what hair on a small head can leave out, and what that costs");
-  addSubjectOptions(*command, options->subject);
-  addPerformanceOptions(*command, options->performance, options->threads);
+  addCharacterOptions(*command, options->character);
+  addPlayerOptions(*command, options->player, options->threads);
   command
       ->add_option("--sizes", options->sizes,
                    "pixels from chin to crown; default 800,400,200,100,50")

@@ -54,9 +54,9 @@ void writeCsv(const std::filesystem::path& file, const std::vector<NamedRow>& ro
 
 void runMeasureMotion(const MeasureMotionOptions& options) {
   const ThreadLimit limit(options.threads);
-  const Subject subject(options.subject);
-  for (const std::string& note : subject.notes) std::cerr << note << '\n';
-  const MeasuredScene scene = measuredScene(subject, options.performance, options.trial.frames);
+  const Character character(options.character);
+  for (const std::string& note : character.notes) std::cerr << note << '\n';
+  const MeasuredScene scene = measuredScene(character, options.player, options.trial.frames);
 
   std::vector<NamedRow> rows;
   const auto show = [&](const char* what, const SimulationRow& row) {
@@ -65,8 +65,8 @@ void runMeasureMotion(const MeasureMotionOptions& options) {
   };
   SimulationTrialSettings trial = options.trial;
   trial.earlyFrames = std::min(trial.earlyFrames, trial.frames);
-  std::cout << trial.frames << " frames at " << options.performance.fps
-            << " a second; first, last: of " << trial.earlyFrames << " frames\n\n";
+  std::cout << trial.frames << " frames at " << options.player.fps << " a second; first, last: of "
+            << trial.earlyFrames << " frames\n\n";
   {
     const SubstepTrial result = measureSubsteps(scene, trial);
     printHead("tips of guides");

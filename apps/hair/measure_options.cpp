@@ -11,7 +11,7 @@ void addMeasure(CLI::App& app, Run& run, const std::string& commandLine) {
   options->commandLine = commandLine;
   CLI::App* command = app.add_subcommand(
       "measure", "Measure error, time and memory of all shadow methods against ray-traced truth");
-  addHairOptions(*command, options->subject);
+  addHairOptions(*command, options->character);
   command
       ->add_option("--width", options->width,
                    "of a strand, metres; default: the file's thickness or 80e-6, or the style's "
@@ -82,8 +82,8 @@ void addMeasureMotion(CLI::App& app, Run& run) {
   auto options = std::make_shared<MeasureMotionOptions>();
   CLI::App* command = app.add_subcommand(
       "measure-motion", "Error and time of the motion over substeps and numbers of guides");
-  addSubjectOptions(*command, options->subject);
-  addPerformanceOptions(*command, options->performance, options->threads);
+  addCharacterOptions(*command, options->character);
+  addPlayerOptions(*command, options->player, options->threads);
   SimulationTrialSettings& trial = options->trial;
   command->add_option("--frames", trial.frames, "frames of every run; default 120")
       ->check(CLI::Range(1, 1'000'000));
@@ -136,9 +136,9 @@ void addPlan(CLI::App& app, Run& run) {
   auto options = std::make_shared<PlanOptions>();
   CLI::App* command =
       app.add_subcommand("plan", "What each feature costs in this scene, and leaving it out saves");
-  addSubjectOptions(*command, options->subject);
-  addPerformanceOptions(*command, options->performance, options->threads);
-  command->add_option("--frames", options->frames, "frames of every performance; default 120")
+  addCharacterOptions(*command, options->character);
+  addPlayerOptions(*command, options->player, options->threads);
+  command->add_option("--frames", options->frames, "frames of every player; default 120")
       ->check(CLI::Range(10, 1'000'000));
   command->add_option("--csv", options->csv, "the same table, a row a feature")
       ->check(endsWith(".csv"));

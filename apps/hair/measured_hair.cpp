@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 #include <libhair/core/error.h>
 #include <libhair/model/resample.h>
 
@@ -37,13 +37,14 @@ float fileWidth(const StrandFile& file, std::vector<std::string>& notes) {
 }
 
 MeasuredHair fromFile(const MeasureOptions& options) {
-  const SubjectOptions& subject = options.subject;
+  const CharacterOptions& character = options.character;
   MeasuredHair hair;
-  hair.name = subject.hair.filename().string();
-  StrandFile file = readStrands(subject.hair, subject.read);
+  hair.name = character.hair.filename().string();
+  StrandFile file = readStrands(character.hair, character.read);
   const std::vector<std::uint32_t> sound = soundStrands(file.strands);
   const std::size_t read = file.strands.strandCount();
-  require(!sound.empty(), subject.hair.string(), ": no strand is longer than 1 mm; check --scale");
+  require(!sound.empty(), character.hair.string(),
+          ": no strand is longer than 1 mm; check --scale");
   hair.notes.push_back(text(hair.name, ": ", read, " strands, ", file.strands.pointCount(),
                             " points; ", file.scale, " m a unit, up axis ", upAxisText(file.up)));
   if (sound.size() < read)
@@ -54,48 +55,48 @@ MeasuredHair fromFile(const MeasureOptions& options) {
 
   // Which of the file's strands stay.
   std::vector<std::uint32_t> kept;
-  const std::size_t wanted = subject.strands > 0 ? subject.strands : sound.size();
+  const std::size_t wanted = character.strands > 0 ? character.strands : sound.size();
   if (wanted > sound.size())
     hair.notes.push_back(text("--strands ", wanted, ": the file has only ", sound.size()));
   for (const std::uint32_t s : chooseStrands(sound.size(), wanted)) kept.push_back(sound[s]);
-  if (kept.size() == read && subject.points == 0) {
+  if (kept.size() == read && character.points == 0) {
     hair.strands = std::move(file.strands);
     return hair;
   }
-  const ResamplePlan plan = planResampling(file.strands, kept, subject.points);
+  const ResamplePlan plan = planResampling(file.strands, kept, character.points);
   hair.strands = {resample(plan, file.strands.points), plan.first};
   hair.fileStrand = kept;
   for (std::size_t s = 0; s < kept.size(); ++s)
-    hair.fileFirst.push_back(subject.points > 0 ? plan.first[s] : file.strands.first[kept[s]]);
+    hair.fileFirst.push_back(character.points > 0 ? plan.first[s] : file.strands.first[kept[s]]);
   return hair;
 }
 
 MeasuredHair fromMesh(const MeasureOptions& options) {
   MeasuredHair hair;
-  hair.name = options.subject.hair.filename().string();
-  hair.strands = growMeshHair(options.subject, hair.notes).grown.strands;
+  hair.name = options.character.hair.filename().string();
+  hair.strands = growMeshHair(options.character, hair.notes).grown.strands;
   hair.fibre.width = kHairWidth;
   hair.fibre.hairsPerStrand = 1;
   return hair;
 }
 
 MeasuredHair fromStyle(const MeasureOptions& options) {
-  SubjectOptions still = options.subject;
+  CharacterOptions still = options.character;
   still.still = true;
   if (still.strands == 0) still.strands = kStyleStrands;
-  const Subject subject(still);
-  PerformanceOptions rest;
+  const Character character(still);
+  PlayerOptions rest;
   rest.settle = 0;
   rest.shadow = rest.selfCollision = false;
-  const Performance performance(subject, rest);
+  const Player player(character, rest);
   MeasuredHair hair;
   const char* const names[] = {"smooth", "curly", "long"};
-  hair.name = text(names[static_cast<int>(options.subject.style)], " style");
-  const StrandView strands = performance.hair.strands();
+  hair.name = text(names[static_cast<int>(options.character.style)], " style");
+  const StrandView strands = player.hair.strands();
   hair.strands.points.assign(strands.points.begin(), strands.points.end());
   hair.strands.first.assign(strands.first.begin(), strands.first.end());
   // The truth's fibre is a tube of all the hairs that a strand stands for.
-  hair.fibre = subject.groom.fibre;
+  hair.fibre = character.groom.fibre;
   hair.fibre.width *= hair.fibre.hairsPerStrand;
   hair.fibre.hairsPerStrand = 1;
   return hair;
@@ -109,7 +110,7 @@ MeasuredHair::Origin MeasuredHair::origin(std::uint32_t strand, std::uint32_t po
 }
 
 MeasuredHair measuredHair(const MeasureOptions& options) {
-  const auto& file = options.subject.hair;
+  const auto& file = options.character.hair;
   MeasuredHair hair = file.empty()       ? fromStyle(options)
                       : isHairMesh(file) ? fromMesh(options)
                                          : fromFile(options);

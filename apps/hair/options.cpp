@@ -79,8 +79,8 @@ void addSimulate(CLI::App& app, Run& run) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* command =
       app.add_subcommand("simulate", "Simulate hair; write strands, times, statistics or a hash");
-  addSubjectOptions(*command, options->subject);
-  addPerformanceOptions(*command, options->performance, options->threads);
+  addCharacterOptions(*command, options->character);
+  addPlayerOptions(*command, options->player, options->threads);
   command->add_option("--frames", options->frames, "frames to simulate; default 120")
       ->check(CLI::Range(1, 10'000'000));
   command
@@ -105,8 +105,8 @@ void addSimulate(CLI::App& app, Run& run) {
 void addRender(CLI::App& app, Run& run) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Draw one picture of hair under any light");
-  addSubjectOptions(*command, options->subject);
-  addPerformanceOptions(*command, options->performance, options->threads);
+  addCharacterOptions(*command, options->character);
+  addPlayerOptions(*command, options->player, options->threads);
   command
       ->add_option("--out", options->out,
                    "the picture: .png, or .exr (linear light, not clipped at 1)")

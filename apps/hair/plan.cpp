@@ -71,12 +71,12 @@ void writeCsv(const std::filesystem::path& file, const FeaturePlan& plan) {
 
 void runPlan(const PlanOptions& options) {
   const ThreadLimit limit(options.threads);
-  const Subject subject(options.subject);
-  for (const std::string& note : subject.notes) std::cerr << note << '\n';
+  const Character character(options.character);
+  for (const std::string& note : character.notes) std::cerr << note << '\n';
   FeatureCostSettings settings;
   settings.blocks = std::max(2, options.frames / settings.framesPerBlock);
   const MeasuredScene scene =
-      measuredScene(subject, options.performance, settings.blocks * settings.framesPerBlock);
+      measuredScene(character, options.player, settings.blocks * settings.framesPerBlock);
   const FeaturePlan plan = measureFeatures(scene, featuresOf(scene), settings);
   print(plan);
   if (!options.csv.empty()) writeCsv(options.csv, plan);

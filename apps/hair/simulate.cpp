@@ -22,11 +22,11 @@ std::filesystem::path sequenceName(const std::filesystem::path& file) {
   return out.replace_extension("####" + file.extension().string());
 }
 
-void load(const std::filesystem::path& file, Performance& performance) {
+void load(const std::filesystem::path& file, Player& player) {
   std::ifstream in(file, std::ios::binary);
   require(in.is_open(), file.string(), ": cannot read");
   try {
-    performance.resume(in);
+    player.resume(in);
   } catch (const Error& error) {
     throw Error(text(file.string(), ": ", error.what()));
   }
@@ -36,26 +36,25 @@ void load(const std::filesystem::path& file, Performance& performance) {
 
 void runSimulate(const SimulateOptions& options) {
   const ThreadLimit limit(options.threads);
-  const Subject subject(options.subject);
-  for (const std::string& note : subject.notes) std::cerr << note << '\n';
-  PerformanceOptions performing = options.performance;
+  const Character character(options.character);
+  for (const std::string& note : character.notes) std::cerr << note << '\n';
+  PlayerOptions performing = options.player;
   // Shadows are work only for those who look at their times.
   performing.shadow = performing.shadow && !options.results.profile.empty();
-  Performance performance(subject, performing);
-  performance.settings.shade = performing.shadow;
-  if (!options.loadState.empty()) load(options.loadState, performance);
+  Player player(character, performing);
+  player.settings.shade = performing.shadow;
+  if (!options.loadState.empty()) load(options.loadState, player);
   const Interruption interruption;
   const std::filesystem::path cacheName = sequenceName(options.cache);
   std::optional<StrandSequenceWriter> cache;
-  if (!options.cache.empty())
-    cache.emplace(cacheName, SequenceOptions{.fps = options.performance.fps});
+  if (!options.cache.empty()) cache.emplace(cacheName, SequenceOptions{.fps = options.player.fps});
   StatsLog stats;
   Progress progress("simulate", options.frames);
   int frame = 0;
   for (; frame < options.frames && !interruption.asked(); ++frame) {
-    performance.step();
-    if (!options.results.stats.empty()) stats.add(performance);
-    if (cache) cache->add(performance.hair.strands());
+    player.step();
+    if (!options.results.stats.empty()) stats.add(player);
+    if (cache) cache->add(player.hair.strands());
     progress.step();
   }
   progress.finish();
@@ -73,9 +72,8 @@ void runSimulate(const SimulateOptions& options) {
     printNotes(cacheName, *cache);
   }
   if (!options.saveState.empty())
-    writeAtomically(options.saveState,
-                    [&](std::ostream& out) { performance.simulation.save(out); });
-  writeResults(options.results, performance, performance.log, stats);
+    writeAtomically(options.saveState, [&](std::ostream& out) { player.simulation.save(out); });
+  writeResults(options.results, player, player.log, stats);
   if (interruption.asked()) interruption.end();
 }
 

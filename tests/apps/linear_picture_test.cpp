@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <apps/common/staging.h>
+#include <apps/common/scene_view.h>
 #include <apps/draw/gl_context.h>
 #include <apps/draw/image.h>
 #include <libhair/core/error.h>
@@ -24,22 +24,22 @@ TEST(LinearPicture, IsOfLightThatWasNeverBytes) {
   } catch (const Error& error) {
     GTEST_SKIP() << error.what();
   }
-  SubjectOptions options;
+  CharacterOptions options;
   options.strands = 1000;
-  Subject subject(options);
+  Character character(options);
   // A highlight much brighter than a display.
-  subject.look.specular = 8;
-  PerformanceOptions performing;
+  character.look.specular = 8;
+  PlayerOptions performing;
   performing.settle = 0.02f;
-  Performance performance(subject, performing);
+  Player player(character, performing);
   draw::RenderSettings how{.samples = 1, .linear = true};
   draw::Renderer renderer(how);
-  Staging staging(performance);
+  SceneView view(player);
   // Near enough that strands cover whole pixels.
-  staging.frameHead(0.3f, 0.3f, 0.5f);
-  staging.drawTimed(renderer, 256, 256);
+  view.frameHead(0.3f, 0.3f, 0.5f);
+  view.drawTimed(renderer, 256, 256);
   float brightest = 0;
-  for (const glm::vec3 light : performance.hair.radiance) brightest = std::max(brightest, light.x);
+  for (const glm::vec3 light : player.hair.radiance) brightest = std::max(brightest, light.x);
   EXPECT_GT(brightest, 2);
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / text("hair_staging_", ::getpid(), ".exr");

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 #include <libhair/core/state_hash.h>
 #include <libhair/files/strand_sequence.h>
 #include <tests/apps/outcome.h>
@@ -59,18 +59,18 @@ TEST(Simulate, ACacheHoldsEveryFrameBitForBit) {
     ASSERT_EQ(outcome.code, 0) << outcome.out;
   }
 
-  SubjectOptions hair;
+  CharacterOptions hair;
   hair.strands = 200;
-  const Subject subject(hair);
-  PerformanceOptions options;
+  const Character character(hair);
+  PlayerOptions options;
   options.settle = 0.05f;
   options.fps = 24;
   options.shadow = false;
-  Performance performance(subject, options);
-  performance.settings.shade = false;
+  Player player(character, options);
+  player.settings.shade = false;
   for (std::size_t f = 0; f < 5; ++f) {
-    performance.step();
-    const std::uint64_t hash = hashOf(performance.hair.strands().points);
+    player.step();
+    const std::uint64_t hash = hashOf(player.hair.strands().points);
     for (const char* name : {"one.usda", "many.##.ply", "plain.####.hair"}) {
       StrandSequenceReader reader(folder / name);
       ASSERT_EQ(reader.frameCount(), 5u) << name;

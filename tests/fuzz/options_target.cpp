@@ -36,30 +36,30 @@ void promiseRead(const ReadOptions& read) {
   promise(!upAxisText(read.up).empty(), "--up");
 }
 
-void promiseSubject(const SubjectOptions& subject) {
-  promiseRead(subject.read);
-  promise(subject.strands <= 10'000'000, "--strands");
-  promise(subject.points != 1 && subject.points <= 4096, "--points");
-  promise(subject.guides >= 1 && subject.guides <= 1'000'000, "--guides");
-  promiseWithin(subject.motionScale, 0.9e-9f, 1.1e9f, "--motion-scale");
-  promiseWithin(subject.style, Style::Smooth, Style::Long, "--style");
+void promiseSubject(const CharacterOptions& character) {
+  promiseRead(character.read);
+  promise(character.strands <= 10'000'000, "--strands");
+  promise(character.points != 1 && character.points <= 4096, "--points");
+  promise(character.guides >= 1 && character.guides <= 1'000'000, "--guides");
+  promiseWithin(character.motionScale, 0.9e-9f, 1.1e9f, "--motion-scale");
+  promiseWithin(character.style, Style::Smooth, Style::Long, "--style");
 }
 
-void promisePerformance(const PerformanceOptions& performance) {
-  promiseWithin(performance.fps, 1.0, 1000.0, "--fps");
-  promiseWithin(performance.cells, 2, 1024, "--cells");
-  promiseWithin(performance.settle, 0.0f, 60.0f, "--settle");
-  promise(finite(performance.wind), "--wind");
-  promiseWithin(performance.linkIterations, 1, 32, "--solver-iterations");
-  for (const Light& light : performance.lights)
+void promisePerformance(const PlayerOptions& player) {
+  promiseWithin(player.fps, 1.0, 1000.0, "--fps");
+  promiseWithin(player.cells, 2, 1024, "--cells");
+  promiseWithin(player.settle, 0.0f, 60.0f, "--settle");
+  promise(finite(player.wind), "--wind");
+  promiseWithin(player.linkIterations, 1, 32, "--solver-iterations");
+  for (const Light& light : player.lights)
     promise(finite(light.direction) && finite(light.position) && finite(light.colour) &&
                 glm::all(glm::greaterThanEqual(light.colour, glm::vec3(0))),
             "--light, --point");
 }
 
 void promiseDance(const DanceOptions& dance) {
-  promiseSubject(dance.subject);
-  promisePerformance(dance.performance);
+  promiseSubject(dance.character);
+  promisePerformance(dance.player);
   promiseThreads(dance.threads);
   promiseWithin(dance.frames, 0, 10'000'000, "--frames");
   promiseWithin(dance.width, 16, 8192, "--width");
@@ -125,16 +125,16 @@ void runConvert(const ConvertOptions& options) {
 }
 
 void runSimulate(const SimulateOptions& options) {
-  promiseSubject(options.subject);
-  promisePerformance(options.performance);
+  promiseSubject(options.character);
+  promisePerformance(options.player);
   promiseThreads(options.threads);
   promise(options.cache.empty() || isStrandFile(options.cache), "--cache");
   promiseWithin(options.frames, 1, 10'000'000, "--frames");
 }
 
 void runRender(const RenderOptions& options) {
-  promiseSubject(options.subject);
-  promisePerformance(options.performance);
+  promiseSubject(options.character);
+  promisePerformance(options.player);
   promiseThreads(options.threads);
   promiseWithin(options.frames, 0, 10'000'000, "--frames");
   promiseWithin(options.yaw, -360.0f, 360.0f, "--yaw");
@@ -145,7 +145,7 @@ void runRender(const RenderOptions& options) {
 }
 
 void runMeasure(const MeasureOptions& options) {
-  promiseSubject(options.subject);
+  promiseSubject(options.character);
   promiseThreads(options.threads);
   promise(options.width == 0 || (options.width >= 0.9e-7f && options.width <= 0.11f), "--width");
   promise(options.alpha == 0 || (options.alpha >= 0.9e-4f && options.alpha <= 1), "--alpha");
@@ -165,8 +165,8 @@ void runMeasure(const MeasureOptions& options) {
 }
 
 void runMeasureMotion(const MeasureMotionOptions& options) {
-  promiseSubject(options.subject);
-  promisePerformance(options.performance);
+  promiseSubject(options.character);
+  promisePerformance(options.player);
   promiseThreads(options.threads);
   const SimulationTrialSettings& trial = options.trial;
   promiseWithin(trial.frames, 1, 1'000'000, "--frames");
@@ -182,8 +182,8 @@ void runMeasureMotion(const MeasureMotionOptions& options) {
 }
 
 void runLod(const LodOptions& options) {
-  promiseSubject(options.subject);
-  promisePerformance(options.performance);
+  promiseSubject(options.character);
+  promisePerformance(options.player);
   promiseThreads(options.threads);
   promise(!options.sizes.empty(), "--sizes");
   for (const float pixels : options.sizes) promiseWithin(pixels, 4.0f, 2000.0f, "--sizes");
@@ -197,8 +197,8 @@ void runLod(const LodOptions& options) {
 }
 
 void runPlan(const PlanOptions& options) {
-  promiseSubject(options.subject);
-  promisePerformance(options.performance);
+  promiseSubject(options.character);
+  promisePerformance(options.player);
   promiseThreads(options.threads);
   promiseWithin(options.frames, 10, 1'000'000, "--frames");
 }

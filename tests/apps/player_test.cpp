@@ -1,18 +1,18 @@
-// What the command line says of a performance.
+// What the command line says of a player.
 #include <gtest/gtest.h>
 
 #include <apps/common/command_line.h>
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 
 namespace hair {
 namespace {
 
-TEST(Performance, LightsStandInTheOrderOfTheCommandLine) {
+TEST(Player, LightsStandInTheOrderOfTheCommandLine) {
   const auto lightsOf = [](const std::string& words) {
     CLI::App app;
-    PerformanceOptions options;
+    PlayerOptions options;
     int threads = 0;
-    addPerformanceOptions(app, options, threads);
+    addPlayerOptions(app, options, threads);
     app.parse(words);
     return options.lights;
   };
@@ -23,13 +23,13 @@ TEST(Performance, LightsStandInTheOrderOfTheCommandLine) {
   EXPECT_EQ(lightsOf("--point 1,2,3 --light -1,0,0.5,0.25,0,2 --fps 30 --point -0.5,1.5,0,1,.5,0"),
             expected);
 
-  SubjectOptions who;
+  CharacterOptions who;
   who.strands = 300;
-  const Subject subject(who);
-  EXPECT_EQ(frameSettings(subject, {}).lights.size(), 1u);
-  PerformanceOptions options;
+  const Character character(who);
+  EXPECT_EQ(frameSettings(character, {}).lights.size(), 1u);
+  PlayerOptions options;
   options.lights = expected;
-  EXPECT_EQ(frameSettings(subject, options).lights.size(), 3u);
+  EXPECT_EQ(frameSettings(character, options).lights.size(), 3u);
 }
 
 }  // namespace

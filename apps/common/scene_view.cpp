@@ -1,4 +1,4 @@
-#include <apps/common/staging.h>
+#include <apps/common/scene_view.h>
 
 #include <algorithm>
 #include <chrono>
@@ -22,16 +22,16 @@ float drawnWidth(const Groom& groom) {
 }
 
 // The middle of the head's upper part, head space.
-glm::vec3 skull(const Subject& subject) {
-  const Bounds box = bounds(subject.head.mesh.positions);
+glm::vec3 skull(const Character& character) {
+  const Bounds box = bounds(character.head.mesh.positions);
   return {0, box.upper.y - 0.11f, 0};
 }
 
 // How bare the head is of hair: 0 where roots are close, 1 away from them.
-std::vector<float> bareness(const Performance& performance) {
-  const TriangleMesh& mesh = performance.subject.head.mesh;
-  const StrandView strands = performance.hair.strands();
-  const RigidTransform headFromWorld = inverse(performance.pose.worldFromHead);
+std::vector<float> bareness(const Player& player) {
+  const TriangleMesh& mesh = player.character.head.mesh;
+  const StrandView strands = player.hair.strands();
+  const RigidTransform headFromWorld = inverse(player.pose.worldFromHead);
   std::vector<glm::vec3> roots;
   const std::size_t stride = std::max<std::size_t>(1, strands.strandCount() / 4000);
   for (std::size_t s = 0; s < strands.strandCount(); s += stride)
@@ -58,28 +58,26 @@ glm::mat4 matrixOf(const RigidTransform& t) {
   return m;
 }
 
-Staging::Staging(Performance& performance)
-    : performance_(performance), bare_(bareness(performance)) {
-  const Subject& subject = performance.subject;
-  performance.settings.shade = false;
-  scene.lights = performance.settings.lights;
-  headBefore_ = performance.pose.worldFromHead.point(skull(subject));
-  scene.ground.height = subject.motion.floorHeight();
+SceneView::SceneView(Player& player) : player_(player), bare_(bareness(player)) {
+  const Character& character = player.character;
+  player.settings.shade = false;
+  scene.lights = player.settings.lights;
+  headBefore_ = player.pose.worldFromHead.point(skull(character));
+  scene.ground.height = character.motion.floorHeight();
   scene.meshes.resize(2);
-  scene.meshes[0].mesh = &subject.head.mesh;
+  scene.meshes[0].mesh = &character.head.mesh;
   scene.meshes[1].mesh = &body_;
   scene.meshes[1].colour = kDress;
   scene.meshes[1].roughness = 0.8f;
-  for (const TriangleMesh& eye : subject.eyes)
+  for (const TriangleMesh& eye : character.eyes)
     scene.meshes.push_back({&eye, glm::mat4(1), glm::vec3(0.75f), {}, 0.2f});
   scene.hair.resize(1);
   frameHead(0.5f, 0.05f, 0.95f);
 }
 
-void Staging::frameHead(float yaw, float pitch, float distance) {
-  const glm::vec3 facing = performance_.pose.worldFromHead.vector({0, 0, 1});
-  scene.camera.target = headBefore_ =
-      performance_.pose.worldFromHead.point(skull(performance_.subject));
+void SceneView::frameHead(float yaw, float pitch, float distance) {
+  const glm::vec3 facing = player_.pose.worldFromHead.vector({0, 0, 1});
+  scene.camera.target = headBefore_ = player_.pose.worldFromHead.point(skull(player_.character));
   scene.camera.target.y -= 0.08f;  // the hair hangs below the skull
   scene.camera.distance = distance;
   scene.camera.yaw = std::atan2(facing.x, facing.z) + yaw;
@@ -88,16 +86,16 @@ void Staging::frameHead(float yaw, float pitch, float distance) {
 
 // The scalp has the hair's own colour, so that no skin shows between the few strands that are
 // drawn, and the neck that of the body, which it sinks into.
-void Staging::dyeScalp() {
-  const glm::vec3 dye = std::visit([](const auto& look) { return look.rootColour; },
-                                   performance_.settings.appearance);
+void SceneView::dyeScalp() {
+  const glm::vec3 dye =
+      std::visit([](const auto& look) { return look.rootColour; }, player_.settings.appearance);
   if (dye == dye_ && !scalp_.empty()) return;
   dye_ = dye;
   scalp_.resize(bare_.size());
   // Factors of the skin's colour (MeshLayer).
   const glm::vec3 dyed = 0.8f * dye / draw::MeshLayer{}.colour;
   const glm::vec3 collar = kDress / draw::MeshLayer{}.colour;
-  const auto& positions = performance_.subject.head.mesh.positions;
+  const auto& positions = player_.character.head.mesh.positions;
   for (std::size_t v = 0; v < bare_.size(); ++v) {
     const glm::vec3 skin =
         glm::mix(collar, glm::vec3(1), glm::smoothstep(-0.03f, -0.02f, positions[v].y));
@@ -106,19 +104,19 @@ void Staging::dyeScalp() {
   scene.meshes[0].vertexColours = scalp_;
 }
 
-void Staging::updateMeshes() {
+void SceneView::updateMeshes() {
   dyeScalp();
-  const Subject& subject = performance_.subject;
+  const Character& character = player_.character;
   for (draw::MeshLayer& layer : scene.meshes)
     if (layer.mesh != &body_ && layer.mesh != &hairSurface_)
-      layer.worldFromMesh = matrixOf(performance_.pose.worldFromHead);
-  subject.body.skin(performance_.pose.worldFromJoint, body_);
+      layer.worldFromMesh = matrixOf(player_.pose.worldFromHead);
+  character.body.skin(player_.pose.worldFromJoint, body_);
 }
 
-void Staging::updateHair(draw::Renderer& renderer) {
-  Hair& hair = performance_.hair;
+void SceneView::updateHair(draw::Renderer& renderer) {
+  Hair& hair = player_.hair;
   const Groom& groom = *hair.groom;
-  FrameSettings& settings = performance_.settings;
+  FrameSettings& settings = player_.settings;
   const std::size_t points = hair.wisps.points.size();
   settings.eye = scene.camera.eye();
   scene.pivot = hair.pivot();
@@ -133,9 +131,9 @@ void Staging::updateHair(draw::Renderer& renderer) {
   if (headShadowsHair) renderer.meshVisibility(scene, hair.wisps.points, hair.visibility);
   if (scene.lights != settings.lights) {
     settings.lights = scene.lights;
-    performance_.relight();
+    player_.relight();
   }
-  const StageTimer timer(performance_.profile, Stage::Shade, static_cast<std::int64_t>(points));
+  const StageTimer timer(player_.profile, Stage::Shade, static_cast<std::int64_t>(points));
   const auto shadeBy = [&](const Illumination& illumination, std::vector<glm::vec3>& radiance,
                            std::vector<std::uint32_t>& colours) {
     const DrawnHair drawn = hair.wisps.drawnHair();
@@ -154,12 +152,12 @@ void Staging::updateHair(draw::Renderer& renderer) {
   layer.radiance = hair.radiance, layer.leftRadiance = unshadowedRadiance_;
 }
 
-void Staging::updateInternals() {
+void SceneView::updateInternals() {
   scene.debug.clear();
-  const Hair& hair = performance_.hair;
+  const Hair& hair = player_.hair;
   for (std::size_t i = 0; i < kInsideCount; ++i)
     if (shown.insides[i])
-      addLines(static_cast<Inside>(i), hair, performance_.settings.guides, scene.debug.lines);
+      addLines(static_cast<Inside>(i), hair, player_.settings.guides, scene.debug.lines);
   if (shown.cells && !hair.maps.empty() && !hair.maps.front().empty()) {
     const DensityMap& map = hair.maps.front();
     const DensityGrid& grid = map.grid;
@@ -178,14 +176,14 @@ void Staging::updateInternals() {
 }
 
 // Made when it is asked for: a topology is shown for long.
-void Staging::updateHairMesh() {
+void SceneView::updateHairMesh() {
   const bool asked = shown.mesh || shown.meshInside || shown.meshSurface;
-  const bool surface = shown.meshSurface && performance_.subject.mesh;
-  scene.meshes.resize(2 + performance_.subject.eyes.size());
-  if (!asked || !performance_.subject.mesh) return;
-  if (!hairMesh_) hairMesh_.emplace(performance_.subject.mesh->mesh);
-  if (edited) hairMesh_->place(*edited, performance_.pose.worldFromHead);
-  if (!editing) hairMesh_->follow(performance_.hair);
+  const bool surface = shown.meshSurface && player_.character.mesh;
+  scene.meshes.resize(2 + player_.character.eyes.size());
+  if (!asked || !player_.character.mesh) return;
+  if (!hairMesh_) hairMesh_.emplace(player_.character.mesh->mesh);
+  if (edited) hairMesh_->place(*edited, player_.pose.worldFromHead);
+  if (!editing) hairMesh_->follow(player_.hair);
   if (shown.mesh || shown.meshInside) hairMesh_->drawLines(shown.meshInside, scene.debug);
   if (!surface) return;
   hairSurface_ = hairMesh_->surface();
@@ -196,10 +194,10 @@ void Staging::updateHairMesh() {
   layer.radiance = layer.leftRadiance = {};
 }
 
-const draw::Scene& Staging::update(draw::Renderer& renderer) {
+const draw::Scene& SceneView::update(draw::Renderer& renderer) {
   // A frame that stands still is drawn more than once.
   stageTime(Stage::Shade) = stageTime(Stage::Draw) = {};
-  const glm::vec3 head = performance_.pose.worldFromHead.point(skull(performance_.subject));
+  const glm::vec3 head = player_.pose.worldFromHead.point(skull(player_.character));
   if (follow) scene.camera.target += head - headBefore_;
   headBefore_ = head;
   updateMeshes();
@@ -209,7 +207,7 @@ const draw::Scene& Staging::update(draw::Renderer& renderer) {
   return scene;
 }
 
-void Staging::drawTimed(draw::Renderer& renderer, int width, int height) {
+void SceneView::drawTimed(draw::Renderer& renderer, int width, int height) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   renderer.draw(update(renderer), width, height);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <apps/common/mesh_overlay.h>
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 #include <apps/draw/renderer.h>
 #include <apps/draw/scene.h>
 
@@ -22,20 +22,20 @@ struct InternalsShown {
 
 glm::mat4 matrixOf(const RigidTransform& transform);
 
-/// Puts a performance on a stage: head, body and hair as layers of a scene, the hair shaded for the
-/// scene's camera and lights, with the meshes' shadow on it. The performance's own frames are no
+/// What is seen of a player: head, body and hair as layers of a scene, the hair shaded for the
+/// scene's camera and lights, with the meshes' shadow on it. The player's own frames are no
 /// longer shaded then: nobody would see it.
-class Staging {
+class SceneView {
  public:
-  explicit Staging(Performance& performance);
-  Staging(const Staging&) = delete;
-  Staging& operator=(const Staging&) = delete;
+  explicit SceneView(Player& player);
+  SceneView(const SceneView&) = delete;
+  SceneView& operator=(const SceneView&) = delete;
 
   /// Sees the head from `yaw`, `pitch` (radians, 0: from in front of the first pose) at `distance`
   /// metres; the camera then goes with the head (`follow`), but does not turn with it.
   void frameHead(float yaw, float pitch, float distance);
 
-  /// Brings the scene up to date with the performance and shades it; the frame's profile says what
+  /// Brings the scene up to date with the player and shades it; the frame's profile says what
   /// the shading took. `renderer` makes the shadow of head and body on the hair; where its pictures
   /// are linear, the hair's radiance is made too.
   const draw::Scene& update(draw::Renderer& renderer);
@@ -60,11 +60,9 @@ class Staging {
   void updateHair(draw::Renderer& renderer);
   void updateInternals();
   void updateHairMesh();
-  StageTime& stageTime(Stage stage) {
-    return performance_.profile[static_cast<std::size_t>(stage)];
-  }
+  StageTime& stageTime(Stage stage) { return player_.profile[static_cast<std::size_t>(stage)]; }
 
-  Performance& performance_;
+  Player& player_;
   TriangleMesh body_;
   std::optional<MeshOverlay> hairMesh_;
   TriangleMesh hairSurface_;

@@ -18,7 +18,7 @@
 namespace hair {
 
 /// Whose hair: what the options of `dance` and `hair simulate` say in the same words.
-struct SubjectOptions {
+struct CharacterOptions {
   Style style = Style::Smooth;  ///< --style, unless `hair` is given
   std::filesystem::path hair;   ///< --hair FILE, strands or a hair mesh; empty: the style
   /// --head FILE, may be repeated: first the head, which hair collides with, then what is drawn
@@ -34,10 +34,10 @@ struct SubjectOptions {
 };
 
 /// Head, hair, body and motion, all loaded and in the library's units.
-struct Subject {
-  explicit Subject(const SubjectOptions& options);
-  Subject(const Subject&) = delete;  // Hair keeps references into it
-  Subject& operator=(const Subject&) = delete;
+struct Character {
+  explicit Character(const CharacterOptions& options);
+  Character(const Character&) = delete;  // Hair keeps references into it
+  Character& operator=(const Character&) = delete;
 
   std::vector<std::string> notes;  ///< what was assumed, dropped or repaired, for the user
   Head head;                       ///< head space
@@ -50,7 +50,7 @@ struct Subject {
   KajiyaKaySettings look;
 
  private:
-  void makeHair(const SubjectOptions& options);
+  void makeHair(const CharacterOptions& options);
 };
 
 }  // namespace hair

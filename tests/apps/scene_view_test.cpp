@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <apps/common/results.h>
-#include <apps/common/staging.h>
+#include <apps/common/scene_view.h>
 #include <apps/draw/gl_context.h>
 #include <libhair/core/error.h>
 
@@ -37,40 +37,40 @@ TEST(DrawingTimes, TellSoftwareFromGraphicsCards) {
   EXPECT_FALSE(draw::drawsOnCpu("NVIDIA GeForce RTX 3060/PCIe/SSE2"));
 }
 
-TEST(Staging, ShadesOncePerPictureAndFramesWithoutPictureNotAtAll) {
+TEST(SceneView, ShadesOncePerPictureAndFramesWithoutPictureNotAtAll) {
   std::unique_ptr<draw::OffscreenContext> context;
   try {
     context = std::make_unique<draw::OffscreenContext>();
   } catch (const Error& error) {
     GTEST_SKIP() << error.what();
   }
-  SubjectOptions options;
+  CharacterOptions options;
   options.strands = 300;
-  const Subject subject(options);
-  PerformanceOptions performing;
+  const Character character(options);
+  PlayerOptions performing;
   performing.settle = 0.02f;
-  Performance performance(subject, performing);
-  FrameProfile& profile = performance.profile;
-  const auto points = static_cast<std::int64_t>(performance.hair.strands().pointCount());
+  Player player(character, performing);
+  FrameProfile& profile = player.profile;
+  const auto points = static_cast<std::int64_t>(player.hair.strands().pointCount());
   draw::Renderer renderer({1, 64, 1000});
-  Staging staging(performance);
-  performance.step();
+  SceneView view(player);
+  player.step();
   EXPECT_EQ(of(profile, Stage::Shade).items, 0);
-  staging.drawTimed(renderer, 64, 48);
-  const std::vector<std::uint32_t> once = performance.hair.colours;
+  view.drawTimed(renderer, 64, 48);
+  const std::vector<std::uint32_t> once = player.hair.colours;
   EXPECT_EQ(of(profile, Stage::Shade).items, points);
   EXPECT_GT(of(profile, Stage::Draw).nanoseconds, 0);
   EXPECT_EQ(of(profile, Stage::Draw).items, points);
 
-  staging.drawTimed(renderer, 64, 48);  // stands still
+  view.drawTimed(renderer, 64, 48);  // stands still
   EXPECT_EQ(of(profile, Stage::Shade).items, points) << "of the last picture alone";
-  EXPECT_EQ(performance.hair.colours, once);
-  staging.scene.lights[0].direction = -staging.scene.lights[0].direction;
-  staging.update(renderer);
+  EXPECT_EQ(player.hair.colours, once);
+  view.scene.lights[0].direction = -view.scene.lights[0].direction;
+  view.update(renderer);
   EXPECT_EQ(of(profile, Stage::Shade).items, points);
   EXPECT_EQ(of(profile, Stage::Draw).items, 0) << "not timed";
-  EXPECT_NE(performance.hair.colours, once) << "in another light";
-  EXPECT_TRUE(performance.hair.radiance.empty()) << "of no use in a picture of bytes";
+  EXPECT_NE(player.hair.colours, once) << "in another light";
+  EXPECT_TRUE(player.hair.radiance.empty()) << "of no use in a picture of bytes";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <apps/common/performance.h>
+#include <apps/common/player.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace hair {
 
-FrameSettings frameSettings(const Subject& subject, const PerformanceOptions& options) {
+FrameSettings frameSettings(const Character& character, const PlayerOptions& options) {
   require(options.fps >= 1 && options.fps <= 1000, "--fps: ", options.fps, " is not in 1 to 1000");
   FrameSettings settings;
   settings.selfCollision = options.selfCollision;
@@ -16,23 +16,23 @@ FrameSettings frameSettings(const Subject& subject, const PerformanceOptions& op
   settings.guides.linkSolver = options.linkSolver;
   settings.guides.iterations = options.linkIterations;
   settings.shadow = options.shadow;
-  settings.appearance = subject.look;
+  settings.appearance = character.look;
   settings.lights = options.lights;
   if (settings.lights.empty()) settings.lights = {kDefaultLight};
   for (Light& light : settings.lights)
     if (light.kind == Light::Kind::Parallel)
       light.direction = makeLightSpace(light.direction).direction();
   settings.map.cells = options.cells;
-  const glm::vec3 headSize = bounds(subject.head.mesh.positions).size();
-  settings.map = fitMap(settings.map, subject.groom, std::min(0.3f, headSize.y));
+  const glm::vec3 headSize = bounds(character.head.mesh.positions).size();
+  settings.map = fitMap(settings.map, character.groom, std::min(0.3f, headSize.y));
   return settings;
 }
 
-Performance::Performance(const Subject& subject_, const PerformanceOptions& options)
-    : subject(subject_),
-      settings(frameSettings(subject_, options)),
-      pose(subject_.motion.pose(0)),
-      simulation(borrowed(subject_.groom), settings, body(), borrowed(*subject_.headCollider)),
+Player::Player(const Character& character_, const PlayerOptions& options)
+    : character(character_),
+      settings(frameSettings(character_, options)),
+      pose(character_.motion.pose(0)),
+      simulation(borrowed(character_.groom), settings, body(), borrowed(*character_.headCollider)),
       hair(simulation.hair()),
       fps_(options.fps),
       settle_(options.settle),
@@ -40,38 +40,38 @@ Performance::Performance(const Subject& subject_, const PerformanceOptions& opti
   restart();
 }
 
-void Performance::restart() {
+void Player::restart() {
   log = {};
   begin();
 }
 
-void Performance::begin() {
+void Player::begin() {
   time = 0;
   frame_ = 0;
-  subject.motion.pose(0, pose);
+  character.motion.pose(0, pose);
   simulation.setSettings(settings);
   simulation.restart(body(), static_cast<float>(settle_));
 }
 
-void Performance::resume(std::istream& state) {
+void Player::resume(std::istream& state) {
   simulation.restore(state);
   log = {};
   frame_ = std::round(hair.time * fps_);
   time = frame_ / fps_ * motionSpeed_;
-  subject.motion.pose(time, pose);
+  character.motion.pose(time, pose);
 }
 
-void Performance::step() {
+void Player::step() {
   profile = {};
-  const double duration = subject.motion.duration();
-  if (!subject.motion.isLoop() && duration > 0 &&
+  const double duration = character.motion.duration();
+  if (!character.motion.isLoop() && duration > 0 &&
       (frame_ + 1) / fps_ * motionSpeed_ > duration + 1e-6)
     begin();
   time = ++frame_ / fps_ * motionSpeed_;
   {
     const StageTimer timer(profile, Stage::Motion,
                            static_cast<std::int64_t>(pose.worldFromJoint.size()));
-    subject.motion.pose(time, pose);
+    character.motion.pose(time, pose);
   }
   simulation.setSettings(settings);
   const FrameProfile& stages = simulation.step(body(), static_cast<float>(1 / fps_));
@@ -80,12 +80,12 @@ void Performance::step() {
   log.add(profile);
 }
 
-void Performance::relight() {
+void Player::relight() {
   simulation.setSettings(settings);
   simulation.relight();
 }
 
-void StatsLog::add(const Performance& p) {
+void StatsLog::add(const Player& p) {
   const GuideStats s = p.simulation.stats();
   rows_ += text(frames_++, ',', s.stretchMax, ',', s.stretchRms, ',', s.penetrationMax, ',',
                 s.kineticEnergy, ',', s.speedMax, '\n');

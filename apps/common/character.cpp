@@ -1,4 +1,4 @@
-#include <apps/common/subject.h>
+#include <apps/common/character.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ KajiyaKaySettings lookOf(Style style) {
   return look;
 }
 
-StrandSet loadHair(const SubjectOptions& options, std::vector<std::string>& notes) {
+StrandSet loadHair(const CharacterOptions& options, std::vector<std::string>& notes) {
   StrandFile file = readStrands(options.hair, options.read);
   notes.push_back(text(options.hair.filename().string(), ": ", file.strands.strandCount(),
                        " strands, ", file.strands.pointCount(), " points; ", file.scale,
@@ -71,8 +71,9 @@ std::size_t dropBust(TriangleMesh& mesh) {
 }
 
 // The first of options.heads where the roots want it, and what comes with it.
-RigidTransform loadHead(const SubjectOptions& options, std::span<const glm::vec3> roots, Head& head,
-                        std::vector<TriangleMesh>& eyes, std::vector<std::string>& notes) {
+RigidTransform loadHead(const CharacterOptions& options, std::span<const glm::vec3> roots,
+                        Head& head, std::vector<TriangleMesh>& eyes,
+                        std::vector<std::string>& notes) {
   head.mesh = readObj(options.heads.front());
   const RigidTransform headFromFile = placeHead(head.mesh, roots);
   moveBy(headFromFile, head.mesh);
@@ -88,7 +89,7 @@ RigidTransform loadHead(const SubjectOptions& options, std::span<const glm::vec3
 }  // namespace
 
 // Head and groom together, as each has to fit the other.
-void Subject::makeHair(const SubjectOptions& options) {
+void Character::makeHair(const CharacterOptions& options) {
   const auto makeCollider = [&] {
     headCollider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
   };
@@ -133,7 +134,7 @@ void Subject::makeHair(const SubjectOptions& options) {
 
 namespace {
 
-Motion makeMotion(const SubjectOptions& options, std::vector<std::string>& notes) {
+Motion makeMotion(const CharacterOptions& options, std::vector<std::string>& notes) {
   if (options.still) return Motion::still();
   if (options.motion.empty()) return Motion::dance();
   Motion motion(clipFromBvh(readBvh(options.motion), options.motionScale));
@@ -151,7 +152,7 @@ Motion makeMotion(const SubjectOptions& options, std::vector<std::string>& notes
 
 }  // namespace
 
-Subject::Subject(const SubjectOptions& options)
+Character::Character(const CharacterOptions& options)
     : motion(makeMotion(options, notes)),
       body(motion.body()),
       look(lookOf(options.hair.empty() ? options.style : Style::Smooth)) {

@@ -3,7 +3,7 @@
 #include <iosfwd>
 #include <vector>
 
-#include <apps/common/subject.h>
+#include <apps/common/character.h>
 #include <libhair/core/profile.h>
 #include <libhair/simulation/simulation.h>
 
@@ -12,8 +12,8 @@ namespace hair {
 /// The light there is where nobody says otherwise: from above, in front, and one side.
 inline const Light kDefaultLight = Light::parallel({0.45f, -0.8f, -0.4f});
 
-/// What of a performance the command line sets.
-struct PerformanceOptions {
+/// What of a player the command line sets.
+struct PlayerOptions {
   double fps = 60;  ///< --fps, frames a second of the picture
   int cells = 128;  ///< --cells of each light's map along each axis
   /// --light and --point, in the order of the command line; none: kDefaultLight alone.
@@ -27,13 +27,13 @@ struct PerformanceOptions {
   double motionSpeed = 1;  ///< --motion-speed, seconds of the motion a second of the hair
 };
 
-/// Settings of a frame for this subject: the map is as large as its hair needs (mapExtentNeeded).
-FrameSettings frameSettings(const Subject& subject, const PerformanceOptions& options);
+/// Settings of a frame for this character: the map is as large as its hair needs (mapExtentNeeded).
+FrameSettings frameSettings(const Character& character, const PlayerOptions& options);
 
-/// A subject that performs its motion, frame after frame.
-class Performance {
+/// Plays a character: moves its body and its hair, frame after frame.
+class Player {
  public:
-  Performance(const Subject& subject, const PerformanceOptions& options);
+  Player(const Character& character, const PlayerOptions& options);
 
   /// To the first pose, settled.
   void restart();
@@ -47,7 +47,7 @@ class Performance {
   /// Where head and body are at the end of the last frame.
   BodyState body() const { return {pose.worldFromHead, pose.capsules}; }
 
-  const Subject& subject;
+  const Character& character;
   FrameSettings settings;  ///< may be changed between frames
   BodyPose pose;           ///< at the end of the last frame
   Simulation simulation;   ///< takes over `settings` with every call
@@ -67,7 +67,7 @@ class Performance {
 /// frame,stretch_max,stretch_rms,penetration_max_m,kinetic_energy_J,speed_max
 class StatsLog {
  public:
-  void add(const Performance& performance);
+  void add(const Player& player);
   std::string csv() const;
 
  private:
