@@ -180,7 +180,7 @@ void computeTransmittance(DensityMap& map) {
   // Give new codes a valid layer: filters read codes beside the hair, but do not use their values.
   map.lightIn.resize(runs * map.grid.bricks.across(), Transmittances::kFixed);
   // Walk the rows that a filter may read.
-  const BrickRange across = bricksToRead(map, 1), rows = bricksToRead(map, 2);
+  const BrickRange across = bricksToRead(map.grid, 1), rows = bricksToRead(map.grid, 2);
   parallelFor(static_cast<std::size_t>(rows.count), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       HWY_DYNAMIC_DISPATCH(walkRow)(rows.at(static_cast<int>(i)), across, map);
