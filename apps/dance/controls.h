@@ -80,7 +80,7 @@ struct Readout {
   std::string hairFile;  ///< name of the command line's hair; empty: none
   std::size_t strands = 0, points = 0, guides = 0, guidePoints = 0;
   std::uint32_t saturatedCells = 0;
-  bool aliased = false;
+  bool enlarged = false;      ///< cells of a map, as the hair is larger than the map
   float cellSize = 0;         ///< metres
   double time = 0;            ///< of the motion, seconds
   double duration = 0;        ///< 0: nobody moves

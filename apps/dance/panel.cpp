@@ -67,7 +67,7 @@ void drawState(const Readout& r) {
     ImGui::TextColored(kWarning, "%.1f s dropped: drawing is too slow", r.droppedSeconds);
   if (r.saturatedCells > 0)
     ImGui::TextColored(kWarning, "%u cells of the map are saturated", r.saturatedCells);
-  if (r.aliased) ImGui::TextColored(kWarning, "hair is larger than the map: shadows alias");
+  if (r.enlarged) ImGui::TextColored(kWarning, "hair is larger than the map: cells are larger");
   if (!r.failure.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
     ImGui::TextWrapped("%s", r.failure.c_str());

@@ -161,12 +161,13 @@ void Show::report(Readout& r) const {
   r.guides = hair.guides.guideCount();
   r.guidePoints = r.guides * hair.guides.pointsPerGuide();
   r.saturatedCells = 0;
-  r.aliased = false;
+  r.enlarged = false;
+  r.cellSize = mapAt(hair.wisps.drawn.level, player.settings.map).cellSize;
   for (const DensityMap& map : hair.maps) {
     r.saturatedCells += map.grid.saturatedCells;
-    r.aliased |= map.aliased();
+    r.enlarged |= map.settings.cellSize > r.cellSize || map.aliased();
   }
-  r.cellSize = player.settings.map.cellSize;
+  if (!hair.maps.empty()) r.cellSize = hair.maps.front().settings.cellSize;
   r.time = player.time;
   r.duration = character.motion.duration();
   r.hasMesh = character.mesh.has_value();

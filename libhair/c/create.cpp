@@ -90,6 +90,7 @@ hair_status hair_create_from_guides(const float* points, uint32_t guide_count,
             " points are not 1 to 10000000 of 2 to ", hair::kMaxGuidePoints);
     const auto given = pointsOf(points, std::size_t{guide_count} * points_per_guide, "guides");
     auto groom = std::make_shared<hair::Groom>(groomOfGuides(given, points_per_guide));
+    hair::validate({groom->guidePoints, groom->first}, "guides", 2);
     if (fibre) groom->fibre = fibreOf(*fibre);
     return makeInstance(std::move(groom), headOf(head), settings, body);
   });

@@ -17,7 +17,7 @@ struct SegmentMeasure {
     AcrossX,  ///< of its part across the grid's X axis; in a curved grid times the magnification
               ///< (CellFrame), as things look larger from the focus
   };
-  Of of = Of::Length;
+  Of of = Of::Length;   ///< what the amount is of
   double perMetre = 1;  ///< amount, of whatever unit, >= 0; of strands that are read
   /// Deposit::Points: the amount that a point adds, >= 0. 0: as much as segments do that are as
   /// long as the strands' are on average, in all directions alike.

@@ -9,22 +9,23 @@ namespace hair {
 
 void validateGuides(const Groom& groom) {
   const std::uint32_t n = groom.pointsPerGuide;
+  require(!groom.guidePoints.empty(), "groom: no guides");
   require(n >= 2 && n <= kMaxGuidePoints, "groom: ", n, " points a guide is not in 2 to ",
           kMaxGuidePoints, "; sample guides at fewer points (BindSettings::pointsPerGuide)");
-  require(groom.guideCount() > 0, "groom: no guides");
-  require(groom.guidePoints.size() % n == 0, "groom: ", groom.guidePoints.size(),
-          " guide points are no whole number of guides of ", n, " points");
+  require(groom.guideCount() > 0 && groom.guidePoints.size() % n == 0,
+          "groom: ", groom.guidePoints.size(), " guide points are no whole number of guides of ", n,
+          " points");
   require(groom.tied.empty() || groom.tied.size() == groom.guideCount(), "groom: ties of ",
           groom.tied.size(), " guides, but there are ", groom.guideCount());
   for (std::size_t g = 0; g < groom.guideCount(); ++g) {
     const auto points = groom.guide(g);
-    require(glm::dot(points[0], points[0]) < 1e16f, "groom: guide ", g,
-            ": its root is not finite, or beyond 1e8 m");
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const float length = glm::distance(points[i], points[i + 1]);
       require(length > 1e-6f && length < 1e5f, "groom: guide ", g, " link ", i, " has length ",
               length, " m, not in 1e-6 to 1e5; drop degenerate strands or check the scale");
     }
+    require(glm::dot(points[0], points[0]) < 1e16f, "groom: guide ", g,
+            ": its root is not finite, or beyond 1e8 m");
   }
 }
 

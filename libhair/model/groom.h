@@ -62,8 +62,9 @@ struct Groom {
 /// range, strands of fewer than 2 points, parents that are no guides, weights that do not sum to 1,
 /// numbers that are not finite, links shorter than 1e-6 or longer than 1e5 m.
 void validate(const Groom& groom);
-/// The part that guides need, and that which drawn strands need: for stages used alone.
+/// The part of it that a stage of guides needs.
 void validateGuides(const Groom& groom);
+/// The part of it that a stage of drawn strands needs.
 void validateStrands(const Groom& groom);
 
 /// Arc length of the longest guide, metres; 0 without guides.

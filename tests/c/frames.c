@@ -67,7 +67,7 @@ static void hair_moves_and_is_read(void) {
   hair_destroy(NULL);
 }
 
-static void hair_made_without_self_collision_has_none_later(void) {
+static void self_collision_that_comes_late_is_that_from_the_start(void) {
   hair_style style;
   hair_settings settings;
   hair_instance* hair[2];
@@ -75,12 +75,11 @@ static void hair_made_without_self_collision_has_none_later(void) {
   OK(hair_settings_init(&settings, sizeof settings));
   style.wisps = 40;
   style.strands = 240;
-  settings.self_collision = 0;
   for (int i = 0; i < 2; ++i) {
+    settings.self_collision = i == 0;
     OK(hair_create_from_style(&style, &settings, body_at(0), &hair[i]));
     settings.self_collision = 1;
-    if (i == 1) OK(hair_set_settings(hair[i], &settings));
-    settings.self_collision = 0;
+    OK(hair_set_settings(hair[i], &settings));
     dance(hair[i], 0, 30);
   }
   CHECK(hash_of(hair[0]) == hash_of(hair[1]));
@@ -337,7 +336,7 @@ int main(void) {
   CHECK(hair_version() == (HAIR_C_VERSION_MAJOR << 16 | HAIR_C_VERSION_MINOR));
   CHECK(strlen(hair_library_version()) >= 5 && strcmp(hair_last_error(), "") == 0);
   hair_moves_and_is_read();
-  hair_made_without_self_collision_has_none_later();
+  self_collision_that_comes_late_is_that_from_the_start();
   settings_and_lights_take_effect();
   radiance_is_what_colours_are_made_of();
   a_restored_run_goes_on_with_the_same_bits();

@@ -64,7 +64,7 @@ TEST(Contract, HairThatStartsInTheMiddleOfAClipIsAtRestAndIsNotShaken) {
     started.hair = Hair(started.groom, started.settings, started.bodyAt(t), &started.collider);
     EXPECT_EQ(started.stats().speedMax, 0);
     started.time = t;
-    restart(started.bodyAt(t), started.settings, 0.5f, started.hair);
+    started.simulation.restart(started.bodyAt(t), 0.5f);
     EXPECT_EQ(started.stats().speedMax, 0);
     EXPECT_LT(started.stats().penetrationMax, 1e-3f) << t;
     const float with = fastest(started), without = fastest(danced);

@@ -58,7 +58,8 @@ TEST(FrameDoors, WhatIsNoNumberIsRefusedByName) {
   named("fibre width", [](F& f) -> float& { return f.groom.fibre.width; });
   named("clearance", [](F& f) -> float& { return f.wisps.clearance; });
   named("cell size", [](F& f) -> float& { return f.settings.map.cellSize; });
-  named("cell size", [](F& f) -> float& { return f.settings.repulsion.cellSize; });
+  named("repulsion settings: cellSize",
+        [](F& f) -> float& { return f.settings.repulsion.cellSize; });
   named("limit", [](F& f) -> float& { return f.settings.repulsion.limit; });
   named("tolerance", [](F& f) -> float& { return f.settings.repulsion.tolerance; });
   static constexpr auto look = [](F& f) -> KajiyaKaySettings& {

@@ -78,6 +78,10 @@ void PrintTo(const Hashes& hashes, std::ostream* out) {
   *out << constants(hashes);
 }
 
+void PrintTo(const Golden& golden, std::ostream* out) {
+  *out << golden.name;
+}
+
 using Run = std::tuple<Golden, int, std::string_view>;  // style, threads, instruction set
 
 class GoldenHash : public testing::TestWithParam<Run> {};

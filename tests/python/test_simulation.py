@@ -134,6 +134,21 @@ class Frames(unittest.TestCase):
         simulation.light()
         self.assertGreater(simulation.radiance.min(), 1)
 
+    def test_its_inside_can_be_drawn(self):
+        simulation = small_simulation()
+        simulation.run(5, motion=libhair.Motion.dance())
+        for inside in ("guides", "tension", "guide frames", "contacts", "push", "colliders", "bricks"):
+            ends, colours = simulation.lines(inside)
+            self.assertEqual(ends.shape[1:], (3,), inside)
+            self.assertEqual(colours.shape, (len(ends), 4), inside)
+            self.assertEqual(len(ends) % 2, 0, inside)
+        guides = simulation.guide_points()
+        ends, _ = simulation.lines("guides")
+        numpy.testing.assert_array_equal(ends[0], guides[0, 0])
+        numpy.testing.assert_array_equal(ends[1], guides[0, 1])
+        with self.assertRaisesRegex(libhair.Error, "there are guides, tension"):
+            simulation.lines("hats")
+
     def test_visibility_darkens(self):
         simulation = small_simulation()
         simulation.light()

@@ -49,13 +49,13 @@ struct Contender {
   }
 };
 
-void watchMap(const DensityMap& map, SceneWatch& watch) {
+void watchMap(const DensityMap& map, float cellSizeSet, SceneWatch& watch) {
   if (map.empty()) return;
   const DensityGrid& grid = map.grid;
   watch.cells = grid.settings.cells;
   watch.cellsUsed = glm::max(watch.cellsUsed, grid.upper - grid.lower + 1);
   watch.saturatedCells = std::max(watch.saturatedCells, grid.saturatedCells);
-  watch.aliasedFrames += map.aliased();
+  watch.enlargedFrames += map.settings.cellSize > cellSizeSet || map.aliased();
 }
 
 void watchFrame(const ScenePlayer& player, SceneWatch& watch) {
@@ -70,7 +70,8 @@ void watchFrame(const ScenePlayer& player, SceneWatch& watch) {
     watch.pushed += static_cast<double>(pushed) / static_cast<double>(hair.guides.guideCount() * n);
   }
   for (float t : hair.transmittance) watch.darkest = std::min(watch.darkest, t);
-  for (const DensityMap& map : hair.maps) watchMap(map, watch);
+  const DensityMapSettings set = mapAt(hair.wisps.drawn.level, player.scene.settings.map);
+  for (const DensityMap& map : hair.maps) watchMap(map, set.cellSize, watch);
 }
 
 // Squares of what differs between two performances, added up over frames.

@@ -20,8 +20,8 @@ struct SceneWatch {
   int cells = 0;            ///< of the light's map along each axis
   glm::ivec3 cellsUsed{0};  ///< the most that the hair spanned along each of the map's axes
   std::uint32_t saturatedCells = 0;  ///< the most of any frame
-  /// Frames in which the hair was larger than the map (DensityMap::aliased).
-  std::int64_t aliasedFrames = 0;
+  /// Frames in which the hair was larger than the map as it was set, so that its cells were larger.
+  std::int64_t enlargedFrames = 0;
 };
 
 /// A part of a scene that can be left out.

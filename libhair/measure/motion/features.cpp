@@ -51,8 +51,8 @@ std::string adviseSelfCollision(const SceneWatch& watch) {
 
 std::string adviseMap(const SceneWatch& watch) {
   if (watch.darkest == 1) return "every transmittance is 1: leave it out";
-  if (watch.aliasedFrames > 0)
-    return text("the hair was larger than the map in ", watch.aliasedFrames, " of ", watch.frames,
+  if (watch.enlargedFrames > 0)
+    return text("the hair was larger than the map in ", watch.enlargedFrames, " of ", watch.frames,
                 " frames: take more or larger cells");
   if (watch.saturatedCells > 0)
     return text(watch.saturatedCells,
