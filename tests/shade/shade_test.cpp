@@ -274,7 +274,8 @@ TEST(KajiyaKay, IsWhatThePlainFormulaSays) {
   KajiyaKaySettings
       fractional;  // an exponent that is no whole number is another way through the kernel
   fractional.exponent = 20.5f;
-  for (const KajiyaKaySettings& look : {KajiyaKaySettings(), KajiyaKaySettings::plain(), fractional}) {
+  for (const KajiyaKaySettings& look :
+       {KajiyaKaySettings(), KajiyaKaySettings::plain(), fractional}) {
     const std::vector<glm::vec3> fast = lit.radiance(look);
     std::vector<glm::vec3> exact(fast.size());
     literal::shade(lit.strands, lit.illumination(), look, exact);
