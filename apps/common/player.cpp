@@ -54,6 +54,7 @@ void Player::begin() {
 }
 
 void Player::resume(std::istream& state) {
+  simulation.setSettings(settings);
   simulation.restore(state);
   log = {};
   frame_ = std::round(hair.time * fps_);

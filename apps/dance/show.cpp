@@ -100,6 +100,7 @@ void Show::takeOver(const draw::Scene& before) {
 
 // Hair of what an edit leaves.
 void Show::follow() {
+  player.simulation.setSettings(player.settings);
   player.simulation.setGroom(std::make_shared<Groom>(groomOf(editor_->hair())));
   rest();
 }

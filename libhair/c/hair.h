@@ -206,12 +206,14 @@ typedef struct hair_view {
   const float* transmittance; /* [light_count * point_count], what of each light gets to each point;
                                  null while shadows are off */
   const uint8_t* colours;     /* [4 * point_count] sRGB and opacity: R, G, B, A; A is 255 but for
-                                 strands on their way out; null while shading is off */
+                                 strands on their way out; null while shading or encoding is
+                                 off */
   double time;                /* simulated seconds */
   uint32_t drawn_count;       /* strands that have points: all, but for hair_set_detail */
   float wider;                /* so much wider are strands to be drawn than all of them would be */
   const float* radiance;      /* [3 * point_count] linear RGB, of which colours are the bytes; >= 0,
-                                 may be above 1; null unless hair_settings.radiance is on */
+                                 may be above 1; null unless hair_settings.radiance and shading
+                                 are on */
 } hair_view;
 
 /* A density map, for shadows on strands of one's own. */

@@ -55,6 +55,11 @@ void validateStrands(const Groom& groom) {
 }
 
 void validate(const Groom& groom) {
+  const Fibre& f = groom.fibre;
+  require(f.width >= 0 && f.opacity >= 0 && f.hairsPerStrand >= 0 &&
+              std::isfinite(f.width * f.opacity * f.hairsPerStrand),
+          "groom: fibre width ", f.width, " m, opacity ", f.opacity, " or ", f.hairsPerStrand,
+          " hairs a strand is negative or not finite");
   validateGuides(groom);
   validateStrands(groom);
 }

@@ -176,10 +176,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/core/state_hash.h>
 #include <libhair/density/deposit.h>
 
 namespace hair {
@@ -261,13 +264,20 @@ void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& 
     for (std::uint32_t i = 0; i < n; ++i)
       repulsion.allowed[g * n + i] = 0.5f * (repulsion.allowed[g * n + i] + most);
   }
-  repulsion.learntWith = settings;
+  repulsion.learntWith = restDensityKey(settings);
 }
 
-bool sameRestDensity(const RepulsionSettings& a, const RepulsionSettings& b) {
-  return a.kind == b.kind && a.cellSize == b.cellSize && a.cells == b.cells &&
-         a.strandStride == b.strandStride && a.threshold == b.threshold &&
-         a.tolerance == b.tolerance;
+std::uint32_t restDensityKey(const RepulsionSettings& s) {
+  const auto kind = static_cast<std::uint32_t>(s.kind), cells = static_cast<std::uint32_t>(s.cells);
+  const std::array<std::uint32_t, 6> words = {kind,
+                                              cells,
+                                              s.strandStride,
+                                              std::bit_cast<std::uint32_t>(s.cellSize),
+                                              std::bit_cast<std::uint32_t>(s.threshold),
+                                              std::bit_cast<std::uint32_t>(s.tolerance)};
+  StateHash hash;
+  hash.add(std::span<const std::uint32_t>(words));
+  return static_cast<std::uint32_t>(hash.value()) | 1u;
 }
 
 void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repulsion& repulsion) {

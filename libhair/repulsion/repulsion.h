@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,16 +34,16 @@ struct RepulsionSettings {
 /// Throws Error that names the field and its range.
 void validate(const RepulsionSettings& settings);
 
-/// Whether the density that a groom has at rest, and so what is allowed, is the same under both:
-/// where they agree in all but strength, limit and interval.
-bool sameRestDensity(const RepulsionSettings& a, const RepulsionSettings& b);
+/// A number for the settings that decide what density is allowed at rest (all but strength, limit
+/// and interval): equal where they are, never 0.
+std::uint32_t restDensityKey(const RepulsionSettings& settings);
 
 /// What a groom at rest has of density at each guide point, and the push of the last frame.
 struct Repulsion {
   DensityGrid density;         ///< metres of hair per m³
   std::vector<Lanes> allowed;  ///< [groupCount · pointsPerGuide], metres of hair per m³
-  /// The settings that `allowed` was learnt with; none: those of the next frame (a restored state).
-  std::optional<RepulsionSettings> learntWith;
+  /// restDensityKey of what `allowed` was learnt with; 0: unknown, that of the next frame.
+  std::uint32_t learntWith = 0;
   std::vector<LaneVec3> push;    ///< the same, m/s²; what stepGuides takes
   std::vector<Lanes> windShare;  ///< the same: of the wind that gets there; empty: all of it
   std::size_t turn = 0;          ///< which half of the groups repel looks at next

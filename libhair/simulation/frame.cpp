@@ -49,13 +49,10 @@ Hair::Hair(const Groom& groom_, const FrameSettings& settings, const BodyState& 
 }
 
 void Hair::remember(const BodyState& body) {
-  const auto copy = []<class T>(std::span<const T> from, std::vector<T>& to) {
-    if (from.data() != to.data()) to.assign(from.begin(), from.end());
-  };
   worldFromHead = body.worldFromHead;
-  copy(body.capsules, capsules);
-  copy(body.scenery.planes, planes);
-  copy(body.scenery.meshes, meshes);
+  assignSpan(body.capsules, capsules);
+  assignSpan(body.scenery.planes, planes);
+  assignSpan(body.scenery.meshes, meshes);
 }
 
 DensityMapSettings mapAt(const LevelOfDetail& level, const DensityMapSettings& settings) {
@@ -64,7 +61,7 @@ DensityMapSettings mapAt(const LevelOfDetail& level, const DensityMapSettings& s
   DensityMapSettings coarse = settings;
   const float larger = level.cellSize / settings.cellSize;
   coarse.cellSize = level.cellSize;
-  coarse.footprint *= larger;
+  coarse.footprint = std::min(coarse.footprint * larger, 10 * coarse.cellSize);
   coarse.cells = std::max(static_cast<int>(std::ceil(static_cast<float>(settings.cells) / larger)),
                           std::min(8, settings.cells));
   return coarse;
@@ -112,6 +109,7 @@ void restart(const BodyState& body, const FrameSettings& settings, float seconds
   require(seconds >= 0 && seconds <= 3600, "restart: ", seconds,
           " s to settle are not in 0 to 3600");
   validate(body.scenery);
+  applyLevel(hair);
   FrameProfile unused{};
   FrameSettings still = settings;
   still.wind = {};

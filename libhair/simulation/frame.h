@@ -125,8 +125,8 @@ std::uint64_t stateHash(const Hair& hair);
 std::uint64_t pictureHash(const Hair& hair);
 
 /// Moves the hair by `seconds`, to where the body is then, shadows and shades it. This is the whole
-/// pipeline: each line is a folder of the library, and fills its field of the profile.
-/// Throws Error as its stages do. The guides feel the density of the hair drawn last.
+/// pipeline: a stage a line, which calls a folder of the library and fills its field of the
+/// profile. Throws Error as its stages do. The guides feel the density of the hair drawn last.
 void frame(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,
            FrameProfile& profile);
 

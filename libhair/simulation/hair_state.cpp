@@ -47,8 +47,8 @@ struct Header {
   std::uint32_t felt;    // points again, or 0 without self-collision
   std::uint32_t capsules, drawn, strands;
   std::uint32_t planes, meshes;
-  std::uint32_t sheltered;  // points again, or 0 without shares of the wind
-  std::uint32_t unused = 0;
+  std::uint32_t sheltered;   // points again, or 0 without shares of the wind
+  std::uint32_t learntWith;  // Repulsion::learntWith
 };
 static_assert(sizeof(Header) == 72, "without gaps");
 
@@ -92,6 +92,7 @@ Header headerOf(const Hair& hair) {
   header.time = hair.time;
   header.waiting = hair.repulsion.waiting;
   header.points = count(hair.guides.position);
+  header.learntWith = hair.repulsion.learntWith;
   header.felt = count(hair.repulsion.allowed);
   header.capsules = count(hair.capsules);
   header.planes = count(hair.planes);
@@ -276,8 +277,7 @@ void restoreState(std::istream& in, Hair& hair) {
   hair.planes = std::move(planes);
   hair.meshes = std::move(meshes);
   hair.repulsion.windShare = std::move(windShare);
-  // What was learnt by the run that was saved is of its settings, which this run has, too.
-  if (header.felt > 0) hair.repulsion.learntWith.reset();
+  if (header.felt > 0) hair.repulsion.learntWith = header.learntWith;
   hair.repulsion.allowed = std::move(allowed);
   hair.repulsion.push = std::move(push);
   hair.repulsion.turn = header.turn;

@@ -63,15 +63,15 @@ void addTension(const GuideStrands& guides, Lines& lines) {
   });
 }
 
-void addFrames(const Hair& hair, Lines& lines) {
+void addFrames(const GuideStrands& guides, Lines& lines) {
   constexpr float kLength = 5e-3f;
-  const GuideCurves& curves = hair.wisps.curves;
-  const std::uint32_t n = hair.guides.pointsPerGuide();
-  for (std::size_t g = 0; g < hair.guides.guideCount(); ++g)
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t sample = i * (curves.samples - 1) / (n - 1);
-      const GuideCurves::Frame frame = curves.frame(g, sample);
-      const glm::vec3 at = curves.point(g, sample);
+  // One sample a point, where the guides are now.
+  GuideCurves curves(guides, guides.pointsPerGuide());
+  sampleGuides(guides, curves);
+  for (std::size_t g = 0; g < guides.guideCount(); ++g)
+    for (std::uint32_t i = 0; i < guides.pointsPerGuide(); ++i) {
+      const GuideCurves::Frame frame = curves.frame(g, i);
+      const glm::vec3 at = curves.point(g, i);
       lines.add(at, at + kLength * frame.normal, kRed);
       lines.add(at, at + kLength * frame.binormal, kGreen);
       lines.add(at, at + kLength * frame.tangent, kBlue);
@@ -273,7 +273,7 @@ void addLines(Inside what, const Hair& hair, const GuideSettings& settings,
     case Inside::Tension:
       return addTension(hair.guides, lines);
     case Inside::GuideFrames:
-      return addFrames(hair, lines);
+      return addFrames(hair.guides, lines);
     case Inside::Contacts:
       return addContacts(hair, settings, lines);
     case Inside::Push:

@@ -20,7 +20,7 @@ enum class Inside {
   Contacts,     ///< where a guide point touches a collider: the collider's normal there, 1 cm
   Push,         ///< what self-collision pushes guide points with: 1 mm for 1 m/s²
   Colliders,    ///< capsules, planes, and contour lines of head and meshes
-  Bricks,       ///< occupied bricks of the first light's map
+  Bricks,       ///< occupied bricks of the first light's map, as of the last frame
 };
 /// How many there are.
 inline constexpr std::size_t kInsideCount = 7;

@@ -6,6 +6,7 @@
 #include <libhair/guides/validate.h>
 #include <libhair/simulation/hair_state.h>
 #include <libhair/simulation/scene_changes.h>
+#include <libhair/simulation/stages.h>
 
 namespace hair {
 
@@ -25,13 +26,10 @@ const FrameSettings& checked(const FrameSettings& settings) {
 }  // namespace
 
 void Simulation::OwnedBody::assign(const BodyState& body) {
-  const auto copy = []<class T>(std::span<const T> from, std::vector<T>& to) {
-    if (from.data() != to.data()) to.assign(from.begin(), from.end());
-  };
   worldFromHead = body.worldFromHead;
-  copy(body.capsules, capsules);
-  copy(body.scenery.planes, planes);
-  copy(body.scenery.meshes, meshes);
+  assignSpan(body.capsules, capsules);
+  assignSpan(body.scenery.planes, planes);
+  assignSpan(body.scenery.meshes, meshes);
 }
 
 Simulation::Simulation(std::shared_ptr<const Groom> groom, const FrameSettings& settings,
@@ -55,6 +53,11 @@ void Simulation::requireFrame(const BodyState& body) const {
   validate(body.scenery);
   requirePrecision(hair_.guides, body.worldFromHead);
   for (const Light& light : settings_.lights) lightSpaceOf(light, body.worldFromHead.translation);
+  // A change of the level forgets it.
+  const std::size_t known = hair_.level == hair_.wisps.drawn.level ? hair_.visibility.size() : 0;
+  require(known == 0 || known == settings_.lights.size() * hair_.wisps.points.size(),
+          "visibility: ", known, " values for ", settings_.lights.size(), " lights and ",
+          hair_.wisps.points.size(), " points; give it anew after a change of lights or groom");
 }
 
 const FrameProfile& Simulation::step(const BodyState& body, float seconds) {
@@ -98,7 +101,7 @@ void Simulation::moveOrigin(glm::vec3 origin) {
 
 void Simulation::changeColliders(const BodyState& body) {
   hair::changeColliders(body, settings_, hair_);
-  body_.assign(body);
+  body_.assign({hair_.worldFromHead, body.capsules, body.scenery});
 }
 
 void Simulation::setSettings(const FrameSettings& settings) {
@@ -111,6 +114,7 @@ bool Simulation::setGroom(std::shared_ptr<const Groom> groom) {
   const bool goesOn = changeGroom(checked(groom), settings_, hair_);
   groom_ = std::move(groom);
   detail_.reset();
+  relight();
   return goesOn;
 }
 
@@ -123,7 +127,8 @@ void Simulation::setLevel(const LevelOfDetail& level) {
 void Simulation::setDetail(std::shared_ptr<const GroomDetail> detail) {
   require(!detail || detail->strandCount() == groom_->strandCount(), "detail: of a groom of ",
           detail ? detail->strandCount() : 0, " strands, but this one has ", groom_->strandCount());
-  require(detail || hair_.level == LevelOfDetail{}, "detail: none, but the level needs one");
+  require(detail || (hair_.level == LevelOfDetail{} && hair_.wisps.drawn.level == LevelOfDetail{}),
+          "detail: none, but the level needs one");
   detail_ = std::move(detail);
   hair_.detail = detail_.get();
 }
@@ -142,8 +147,9 @@ void Simulation::restore(std::istream& in) {
   restoreState(in, hair_);
   body_.worldFromHead = hair_.worldFromHead;
   body_.capsules = hair_.capsules;
-  body_.planes = hair_.planes;
-  // Meshes are those that this hair has met, where there are as many.
+  // A hair that was teleported before it was saved knows no scenery; meshes are those that this one
+  // has met, where there are as many.
+  if (!hair_.planes.empty()) body_.planes = hair_.planes;
   if (body_.meshes.size() == hair_.meshes.size()) body_.meshes = hair_.meshes;
   relight();
 }

@@ -20,6 +20,9 @@ std::shared_ptr<const T> borrowed(const T& kept) {
   return {std::shared_ptr<void>{}, &kept};
 }
 
+template <class T>
+std::shared_ptr<const T> borrowed(const T&& temporary) = delete;  ///< nobody keeps it
+
 /// One head of hair over its frames, with all that it needs: the owner that programs keep. Hair and
 /// frame() are the layer below, for who keeps groom, head and settings elsewhere.
 ///
@@ -66,7 +69,8 @@ class Simulation {
   /// skin) is what it was at the start. Throws Error, and keeps the old ones, where one is out of
   /// range.
   void setSettings(const FrameSettings& settings);
-  /// Another hairstyle (hair::changeGroom); true where the motion goes on in it.
+  /// Another hairstyle (hair::changeGroom), all of which is drawn until setLevel; true where the
+  /// motion goes on in it. Lit again.
   bool setGroom(std::shared_ptr<const Groom> groom);
   /// How much of the groom the next frame, restart or relight() draws (levelFor).
   void setLevel(const LevelOfDetail& level);
@@ -97,8 +101,9 @@ class Simulation {
   /// How the guides keep lengths and distances.
   GuideStats stats() const;
 
-  const FrameSettings& settings() const { return settings_; }           ///< of the next frame
-  const FrameProfile& profile() const { return profile_; }              ///< of the last frame
+  const FrameSettings& settings() const { return settings_; }  ///< of the next frame
+  /// Of the last frame, or of the last light on hair that stood still.
+  const FrameProfile& profile() const { return profile_; }
   const std::shared_ptr<const Groom>& groom() const { return groom_; }  ///< never null
   const std::shared_ptr<const MeshSdf>& head() const { return head_; }  ///< or null
   /// The hair itself: what the stages hand to each other.

@@ -53,22 +53,21 @@ int extentInCells(const DensityMap& map) {
 void fillFittingMap(const DrawnHair& drawn, const Light& light, const FrameSettings& settings,
                     const Hair& hair, DensityMap& map) {
   constexpr float kStep = 1.25f;
-  constexpr int kMostRounds = 4;  // hair behind a light at a point fits into no map
+  constexpr int kMostRounds = 4;
+  // Hair around or behind a light at a point fits into no map: its near cells stay as they were
+  // set.
+  constexpr float kMostAtPoint = 4;
   DensityMapSettings cells = mapAt(hair.wisps.drawn.level, settings.map);
   fillMap(drawn, light, cells, settings, hair, map);
   for (int round = 0; map.aliased() && round < kMostRounds; ++round) {
     float larger = kStep;
     const float needed =
         static_cast<float>(extentInCells(map)) / static_cast<float>(map.settings.cells - 1);
+    if (light.kind == Light::Kind::Point && needed > kMostAtPoint) return;
     while (larger < needed) larger *= kStep;
     cells.cellSize = std::min(larger * cells.cellSize, 1e6f);
     fillMap(drawn, light, cells, settings, hair, map);
   }
-}
-
-bool knowsRestDensity(const FrameSettings& settings, const Repulsion& repulsion) {
-  return !repulsion.allowed.empty() && repulsion.learntWith &&
-         sameRestDensity(*repulsion.learntWith, settings.repulsion);
 }
 
 }  // namespace
@@ -85,19 +84,23 @@ void applyLevel(Hair& hair) {
 void learnRestDensity(const FrameSettings& settings, Hair& hair) {
   Repulsion& repulsion = hair.repulsion;
   if (!settings.selfCollision) {
-    // What it pushed before is of no use when it is back.
+    // What it pushed and sheltered before is of no use when it is back.
     std::fill(repulsion.push.begin(), repulsion.push.end(), LaneVec3{});
+    repulsion.windShare.clear();
     return;
   }
-  if (!repulsion.allowed.empty() && !repulsion.learntWith)
-    repulsion.learntWith = settings.repulsion;
-  if (knowsRestDensity(settings, repulsion)) return;
+  const std::uint32_t key = restDensityKey(settings.repulsion);
+  if (!repulsion.allowed.empty() && repulsion.learntWith == 0) repulsion.learntWith = key;
+  if (!repulsion.allowed.empty() && repulsion.learntWith == key) return;
   const GuideStrands atRest(*hair.groom, settings.guides, hair.worldFromHead, hair.head);
   const Wisps drawn(*hair.groom, atRest, hair.wisps.settings, hair.head);
-  const std::vector<LaneVec3> push = std::move(repulsion.push);
-  allowRestDensity(drawn.strands(), hair.groom->fibre, atRest, settings.repulsion, repulsion);
-  // The hair moves on: what pushes it does not stop.
-  if (!push.empty()) repulsion.push = push;
+  Repulsion learnt;
+  allowRestDensity(drawn.strands(), hair.groom->fibre, atRest, settings.repulsion, learnt);
+  // The hair moves on: what pushes it does not stop, and its turns stay due.
+  repulsion.density = std::move(learnt.density);
+  repulsion.allowed = std::move(learnt.allowed);
+  repulsion.learntWith = learnt.learntWith;
+  if (repulsion.push.empty()) repulsion.push = std::move(learnt.push);
 }
 
 void moveGuides(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair,

@@ -11,6 +11,17 @@ struct HairScratch {
   static StrandSet& counted(Hair& hair) { return hair.counted_; }
 };
 
+/// Copies a span that may be of the vector itself, or of a part of it.
+template <class T>
+void assignSpan(std::span<const T> from, std::vector<T>& to) {
+  if (from.data() == to.data() && from.size() == to.size()) return;
+  if (!from.empty() && from.data() >= to.data() && from.data() < to.data() + to.size()) {
+    std::vector<T> part(from.begin(), from.end());
+    return to.swap(part);
+  }
+  to.assign(from.begin(), from.end());
+}
+
 // The stages of a frame, in their order. Each calls one room of the library with what the hair
 // holds, and fills that room's field of the profile.
 

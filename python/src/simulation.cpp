@@ -191,7 +191,7 @@ void Simulation::restoreState(const py::bytes& state) {
   points_.letGo(simulation_->hair().wisps.points);
   simulation_->setSettings(settings);
   std::istringstream in(std::string(state), std::ios::binary);
-  simulation_->restore(in);
+  withoutLock([&] { simulation_->restore(in); });
 }
 
 DetailPtr Simulation::detail() const {

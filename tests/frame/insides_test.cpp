@@ -96,10 +96,21 @@ TEST_F(Insides, BricksHoldTheHair) {
 }
 
 TEST_F(Insides, PushIsAsLongAsItIsStrong) {
+  const GuideStrands& guides = scene.hair.guides;
+  const std::size_t n = guides.pointsPerGuide();
+  scene.hair.repulsion.push.assign(guides.position.size(), LaneVec3{});
+  EXPECT_TRUE(linesOf(Inside::Push, scene).empty());
+  setLane(scene.hair.repulsion.push[n + 3], 2, {0, 7, 0});  // of guide 18, point 3
   const auto lines = linesOf(Inside::Push, scene);
-  for (std::size_t i = 0; i < lines.size(); i += 2)
-    EXPECT_LE(glm::distance(lines[i].position, lines[i + 1].position),
-              1e-3f * scene.settings.repulsion.limit + 1e-5f);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].position, guides.point(kLanes + 2, 3));
+  EXPECT_NEAR(glm::distance(lines[1].position, lines[0].position + glm::vec3(0, 7e-3f, 0)), 0,
+              1e-6f);
+}
+
+TEST_F(Insides, FramesGoWithHairThatIsTakenElsewhere) {
+  scene.simulation.moveOrigin({1, 2, 3});
+  EXPECT_EQ(linesOf(Inside::GuideFrames, scene)[0].position, scene.hair.guides.point(0, 0));
 }
 
 TEST(InsideNames, AreAllDifferent) {

@@ -49,13 +49,14 @@ struct Contender {
   }
 };
 
-void watchMap(const DensityMap& map, float cellSizeSet, SceneWatch& watch) {
-  if (map.empty()) return;
+// Whether its cells had to be larger than set.
+bool watchMap(const DensityMap& map, float cellSizeSet, SceneWatch& watch) {
+  if (map.empty()) return false;
   const DensityGrid& grid = map.grid;
   watch.cells = grid.settings.cells;
   watch.cellsUsed = glm::max(watch.cellsUsed, grid.upper - grid.lower + 1);
   watch.saturatedCells = std::max(watch.saturatedCells, grid.saturatedCells);
-  watch.enlargedFrames += map.settings.cellSize > cellSizeSet || map.aliased();
+  return map.settings.cellSize > cellSizeSet || map.aliased();
 }
 
 void watchFrame(const ScenePlayer& player, SceneWatch& watch) {
@@ -71,7 +72,9 @@ void watchFrame(const ScenePlayer& player, SceneWatch& watch) {
   }
   for (float t : hair.transmittance) watch.darkest = std::min(watch.darkest, t);
   const DensityMapSettings set = mapAt(hair.wisps.drawn.level, player.scene.settings.map);
-  for (const DensityMap& map : hair.maps) watchMap(map, set.cellSize, watch);
+  bool enlarged = false;
+  for (const DensityMap& map : hair.maps) enlarged |= watchMap(map, set.cellSize, watch);
+  watch.enlargedFrames += enlarged;
 }
 
 // Squares of what differs between two performances, added up over frames.
