@@ -27,7 +27,7 @@ BodyState ColliderFadeIn::at(float share) {
   for (std::size_t p = 0; p < full_.planes.size(); ++p)
     now_.planes[p].point = full_.planes[p].point - (1 - share) * below_[p] * full_.planes[p].normal;
   for (std::size_t m = 0; m < full_.meshes.size(); ++m) {
-    // About its middle; a mesh of no size is none.
+    // Scale about the centre of its box. A scale of 0 is invalid.
     const MeshCollider& mesh = full_.meshes[m];
     const float size = std::max(share, 0.01f);
     now_.meshes[m].scale = size * mesh.scale;

@@ -6,14 +6,14 @@
 
 namespace hair {
 
-/// Colliders that come to hair where they were none: capsules grow from nothing, meshes from next
-/// to nothing about their middles, planes rise from below the lowest guide point. Hair finds its
-/// way out of them instead of being thrown out.
+/// Introduces colliders gradually: capsules grow from radius 0, meshes from 1 % of their size about
+/// their centres, planes rise from below the lowest guide point. The solver then moves hair out of
+/// them smoothly instead of ejecting it.
 class ColliderFadeIn {
  public:
-  /// Copies what it needs: the body may be the one that a hair remembers.
+  /// Copies the colliders: `body` may refer to the arrays of a Hair.
   ColliderFadeIn(const BodyState& body, const GuideStrands& guides);
-  /// 0: nothing there, 1: all of it. Holds until the next call.
+  /// The colliders at `share`: 0 absent, 1 full size. Valid until the next call.
   BodyState at(float share);
 
  private:

@@ -21,18 +21,19 @@ constexpr std::array<char, 8> kMagic = {'H', 'A', 'I', 'R', 'S', 'T', 'A', 'T'};
 constexpr std::uint32_t kVersion = 1;
 constexpr std::string_view kName = "saved state";
 
-// A state is little-endian, without gaps; guides are sixteen side by side, as in GuideStrands. With
-// g groups of sixteen guides of n points:
+// File layout: little-endian, no padding; guides interleaved in groups of sixteen, as in
+// GuideStrands. With g groups of guides of n points:
 //
 //   Header
-//   f32[7] each                 the head, then the guides' roots: rotation w, x, y, z, translation
+//   f32[7] each                 pose of the head, then of the guides' roots: rotation w, x, y, z,
+//                               translation
 //   f32[7] each                 capsules: a, b, radius
 //   f32[6] each                 planes: point, normal
 //   f32[8] each                 meshes: rotation w, x, y, z, translation, scale
 //   f32[3·16·g·n] each          guide positions, velocities
 //   f32[16·g·(n - 1)]           tension of links
 //   f32[16·g·n], f32[3·16·g·n]  with self-collision: density allowed, push
-//   f32[16·g·n]                 with shelter: share of the wind
+//   f32[16·g·n]                 with shelter: attenuation of the wind
 //   f32[3] a point              drawn points
 //   f32[3], f32 a strand        offsets of drawn roots, clearance of drawn strands
 //   u64                         StateHash of all bytes before
@@ -43,16 +44,16 @@ struct Header {
   std::uint64_t restShape;  // restShapeOf
   double time;
   float waiting;         // Repulsion::waiting
-  std::uint32_t points;  // groups of them, of the guides
-  std::uint32_t felt;    // points again, or 0 without self-collision
+  std::uint32_t points;  // guide points / 16
+  std::uint32_t felt;    // equal to points, or 0 without self-collision
   std::uint32_t capsules, drawn, strands;
   std::uint32_t planes, meshes;
-  std::uint32_t sheltered;   // points again, or 0 without shares of the wind
+  std::uint32_t sheltered;   // equal to points, or 0 without shelter
   std::uint32_t learntWith;  // Repulsion::learntWith
 };
 static_assert(sizeof(Header) == 72, "without gaps");
 
-// w, x, y, z of the rotation, then the translation.
+// Rotation w, x, y, z, then translation.
 using Pose = std::array<float, 7>;
 
 Pose poseOf(const RigidTransform& t) {
@@ -64,13 +65,14 @@ RigidTransform transformOf(const Pose& p) {
   return {{p[0], p[1], p[2], p[3]}, {p[4], p[5], p[6]}};
 }
 
-// Where a mesh stood; which it was is not saved.
+// Pose of a mesh collider. Its distance field is not saved.
 struct Placement {
   Pose pose;
   float scale;
 };
 
-// What a state cannot be moved between: the guides' rest shape, and how drawn strands follow.
+// Hash of what must match for a state to be restored: the guides' rest shape, and the weights and
+// offsets of drawn strands.
 std::uint64_t restShapeOf(const Hair& hair) {
   StateHash hash;
   const auto add = [&]<class T>(const std::vector<T>& values) { hash.add(std::span(values)); };
@@ -115,7 +117,7 @@ void append(std::string& bytes, std::span<const T> values) {
   bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
 }
 
-// Adds `count` bytes of the stream.
+// Appends `count` bytes of the stream.
 void take(std::istream& in, std::size_t count, std::string& bytes) {
   const std::size_t old = bytes.size();
   bytes.resize(old + count);
@@ -124,7 +126,7 @@ void take(std::istream& in, std::size_t count, std::string& bytes) {
   require(got == count, kName, ": byte ", old + got, ": it ends here (truncated)");
 }
 
-// What may be read for this hair.
+// Throws Error unless the header belongs to this hair and its counts are in range.
 void check(const Header& header, const Hair& hair) {
   require(header.magic == kMagic, kName, ": does not begin with HAIRSTAT");
   require(header.version == kVersion, kName, ": version ", header.version, "; this reads version ",
@@ -154,9 +156,9 @@ std::size_t bodySize(const Header& h, std::size_t links) {
          std::size_t{h.strands} * (sizeof(glm::vec3) + sizeof(float));
 }
 
-// Of finite numbers: those that no frame leaves behind, and that the next could only turn into
-// none. A frame moves hair by no more than the world's width, 2e8 m in a microsecond; offsets and
-// weights draw it no farther than 1e10 m from its guides.
+// Rejects finite numbers that no frame produces and that would overflow in the next. Limits: a
+// frame moves hair by at most the world's width, 2e8 m in a microsecond; offsets and weights place
+// drawn points at most 1e10 m from their guides.
 template <class T>
 void requireWithin(const std::vector<T>& values, float least, float most, const char* what) {
   const auto* numbers = reinterpret_cast<const float*>(values.data());
@@ -166,7 +168,7 @@ void requireWithin(const std::vector<T>& values, float least, float most, const 
             " is not in ", least, " to ", most, " (damaged)");
 }
 
-// As the doors of a frame have it, which name what they refuse.
+// Applies the input validation of a frame, and keeps its messages.
 template <class... Parts>
 void requireGood(const Parts&... parts) {
   try {
@@ -244,13 +246,13 @@ void restoreState(std::istream& in, Hair& hair) {
   read(points, header.drawn, "drawn point");
   read(rootOffsets, header.strands, "root offset");
   read(clearance, header.strands, "clearance");
-  if (allowed.empty()) {  // saved without self-collision: what this hair knows of it stays
+  if (allowed.empty()) {  // saved without self-collision: keep this hair's rest density
     allowed = hair.repulsion.allowed;
     push.resize(allowed.size());
   }
 
-  // Meshes are those that this hair has met, where there are as many; else the next frame takes its
-  // own as they stand.
+  // Keep this hair's distance fields if the number of meshes matches; otherwise the next frame
+  // takes its meshes as at rest.
   std::vector<MeshCollider> meshes = hair.meshes;
   if (meshes.size() != placements.size()) meshes.clear();
   for (std::size_t m = 0; m < meshes.size(); ++m)

@@ -33,7 +33,7 @@ class Lines {
   std::vector<LineVertex>& out_;
 };
 
-// Calls visit(guide, i) for every guide point but the roots.
+// Calls visit(guide, i) for every guide point except roots.
 template <class Visit>
 void forPoints(const GuideStrands& guides, Visit&& visit) {
   for (std::size_t g = 0; g < guides.guideCount(); ++g)
@@ -46,7 +46,7 @@ void addGuides(const GuideStrands& guides, Lines& lines) {
   });
 }
 
-// From blue over grey to red; the colours are full at twice the largest tension at rest.
+// Blue to grey to red; saturated at twice the largest rest tension.
 void addTension(const GuideStrands& guides, Lines& lines) {
   float most = 1e-6f;
   for (const Lanes& t : guides.restTension)
@@ -65,7 +65,7 @@ void addTension(const GuideStrands& guides, Lines& lines) {
 
 void addFrames(const GuideStrands& guides, Lines& lines) {
   constexpr float kLength = 5e-3f;
-  // One sample a point, where the guides are now.
+  // One sample a guide point.
   GuideCurves curves(guides, guides.pointsPerGuide());
   sampleGuides(guides, curves);
   for (std::size_t g = 0; g < guides.guideCount(); ++g)
@@ -111,7 +111,7 @@ void addPush(const Hair& hair, Lines& lines) {
   });
 }
 
-// A ring at either end, four lines between them, and two half circles over either cap.
+// A ring at each end, four lines between them, and two half circles over each cap.
 void addCapsule(const Capsule& c, Lines& lines) {
   constexpr int kSides = 24;
   const glm::vec3 along = c.b - c.a;
@@ -135,7 +135,7 @@ void addCapsule(const Capsule& c, Lines& lines) {
   }
 }
 
-// A grid of a metre about the foot of the head, and the normal.
+// A grid of 1 m × 1 m about the projection of `near`, and the normal.
 void addPlane(const Plane& plane, glm::vec3 near, Lines& lines) {
   constexpr int kCells = 8;
   constexpr float kHalf = 0.5f;
@@ -149,8 +149,8 @@ void addPlane(const Plane& plane, glm::vec3 near, Lines& lines) {
   lines.add(foot, foot + 0.1f * plane.normal, kGreen);
 }
 
-// Calls line(a, b) for the pieces of the zero line in one cell of a square grid (marching squares):
-// `d` are the distances at its corners (x, y), (x+1, y), (x+1, y+1) and (x, y+1).
+// Calls line(a, b) for the segments of the zero contour in one cell of a square grid (marching
+// squares). `d`: distances at its corners (x, y), (x+1, y), (x+1, y+1) and (x, y+1).
 template <class Line>
 void cutCell(glm::vec2 corner, const std::array<float, 4>& d, Line&& line) {
   constexpr glm::vec2 kCorners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -164,8 +164,8 @@ void cutCell(glm::vec2 corner, const std::array<float, 4>& d, Line&& line) {
   for (std::size_t k = 0; k + 1 < count; k += 2) line(crossing[k], crossing[k + 1]);
 }
 
-// The surface of a distance field as contour lines: where the distance is zero on nine levels along
-// each axis of its box.
+// The surface of a distance field as contour lines: its zero contours in nine slices along each
+// axis of its box.
 template <class ToWorld>
 void addContours(const MeshSdf& sdf, ToWorld&& toWorld, Lines& lines) {
   constexpr int kLevels = 9, kCells = 40;
@@ -200,7 +200,7 @@ void addColliders(const Hair& hair, Lines& lines) {
         *mesh.sdf, [&](glm::vec3 p) { return mesh.worldFromMesh.point(mesh.scale * p); }, lines);
 }
 
-// Of an axis: the first unwrapped cell of a brick that lies within the bounds of the hair.
+// Along one axis: the first unwrapped cell of the brick's copy that lies within the hair's bounds.
 int unwrapped(int wrapped, int base, int cells, int size, int lower) {
   int cell = wrapped - base;
   while (cell + size <= lower) cell += cells;

@@ -12,22 +12,22 @@
 
 namespace HAIR_API hair {
 
-/// What can be drawn of the inside of a hair, to see what a stage does.
+/// Debug views of a hair's internal state, as lines.
 enum class Inside {
   Guides,       ///< the links of all guides
-  Tension,      ///< the same, blue where a link is pushed, grey at rest, red where it is pulled
-  GuideFrames,  ///< at every guide point normal (red), binormal (green) and tangent (blue), 5 mm
-  Contacts,     ///< where a guide point touches a collider: the collider's normal there, 1 cm
-  Push,         ///< what self-collision pushes guide points with: 1 mm for 1 m/s²
+  Tension,      ///< the same links: blue in compression, grey at rest, red in tension
+  GuideFrames,  ///< normal (red), binormal (green) and tangent (blue) at guide points, 5 mm
+  Contacts,     ///< collider normal at guide points in contact, 1 cm
+  Push,         ///< acceleration from self-collision at guide points, 1 mm for 1 m/s²
   Colliders,    ///< capsules, planes, and contour lines of head and meshes
   Bricks,       ///< occupied bricks of the first light's map, as of the last frame
 };
-/// How many there are.
+/// Number of enumerators of Inside.
 inline constexpr std::size_t kInsideCount = 7;
 
-/// Its name, as programs show it: "guides", "tension", ...
+/// Display name: "guides", "tension", ...
 std::string_view insideName(Inside inside);
-/// What its lines mean, in a few words.
+/// One-line description of its lines.
 std::string insideMeaning(Inside inside);
 
 /// One end of a line.
@@ -36,8 +36,8 @@ struct LineVertex {
   std::uint32_t colour;  ///< sRGB, bytes in memory R, G, B, A
 };
 
-/// Adds the lines of `what`, two vertices each, as the hair and its colliders stand now. Nothing is
-/// computed for it in a frame. `settings`: those of the last frame; their skin tells contacts.
+/// Appends the lines of `what`, two vertices each, for the current state of hair and colliders.
+/// Frames do no work for it. `settings`: those of the last frame; contacts depend on their skin.
 void addLines(Inside what, const Hair& hair, const GuideSettings& settings,
               std::vector<LineVertex>& lines);
 

@@ -13,11 +13,11 @@ namespace hair {
 
 namespace {
 
-// So many substeps bring a guide out of colliders that grow: a trunk then grows by some millimetres
-// in each, which the solver takes for a moving body.
+// Substeps in which colliders grow to full size. A trunk grows by a few millimetres in each, which
+// the solver handles as body motion.
 constexpr int kPlacingSteps = 24;
 
-// Distance is kept as it is far from the origin too: about the head.
+// Rotates about the head, which keeps distances precise far from the origin.
 struct Jump {
   glm::quat turn;
   glm::vec3 from, to;
@@ -32,7 +32,7 @@ void moveAll(std::vector<LaneVec3>& values, Move&& move) {
     for (std::size_t l = 0; l < kLanes; ++l) setLane(v, l, move(lane(v, l)));
 }
 
-// Everything that has a place in the world, with the head to `worldFromHead`.
+// Applies `point` to all positions except planes and meshes, and sets the head's pose.
 template <class Move>
 void movePlaces(const RigidTransform& worldFromHead, Move&& point, Hair& hair) {
   moveAll(hair.guides.position, point);
@@ -41,8 +41,8 @@ void movePlaces(const RigidTransform& worldFromHead, Move&& point, Hair& hair) {
   hair.worldFromHead = hair.guides.worldFromHead = worldFromHead;
 }
 
-// Of each guide, whether one of its points is inside a collider, or in the inner half of its skin:
-// what rests on a collider is not.
+// Marks guides with a point inside a collider or in the inner half of its skin. A point in resting
+// contact is farther out.
 std::vector<LaneMask> caught(const GuideStrands& guides, const BodyState& body, const MeshSdf* head,
                              float skin) {
   const std::uint32_t n = guides.pointsPerGuide();
@@ -63,8 +63,7 @@ std::vector<LaneMask> caught(const GuideStrands& guides, const BodyState& body, 
   return inside;
 }
 
-// Brings guides out of the body: its colliders grow from nothing, and no time passes. Velocities
-// and tensions are what they were.
+// Moves guides out of the body by growing its colliders. Time, velocities and tensions stay.
 void bringOut(const BodyState& body, const GuideSettings& settings, const MeshSdf* head,
               GuideWorkspace& workspace, GuideStrands& guides) {
   const std::vector<LaneMask> inside = caught(guides, body, head, settings.skin);
@@ -93,7 +92,7 @@ void bringOut(const BodyState& body, const GuideSettings& settings, const MeshSd
       if (!inside[at / n][l]) setLane(guides.position[at], l, lane(before.position[at], l));
 }
 
-// Directions of links and velocities of points from other guides of as many points.
+// Copies link directions, velocities and tensions from guides with equal counts.
 void takeMotion(const GuideStrands& from, GuideStrands& to) {
   const std::uint32_t n = to.pointsPerGuide();
   to.velocity = from.velocity;
@@ -121,7 +120,8 @@ void teleport(const RigidTransform& worldFromHead, Hair& hair) {
   moveAll(hair.guides.velocity, vector);
   moveAll(hair.repulsion.push, vector);
   movePlaces(worldFromHead, [&](glm::vec3 p) { return jump.point(p); }, hair);
-  // Of scenery nobody knows whether it comes along: the next frame takes it as it stands then.
+  // Scenery may or may not move with the head: forget it, so that the next frame takes it as at
+  // rest.
   hair.planes.clear(), hair.meshes.clear();
 }
 

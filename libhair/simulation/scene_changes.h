@@ -5,35 +5,34 @@
 
 namespace HAIR_API hair {
 
-// What may happen to hair between two frames. Each keeps the hair's motion as far as it can; what
-// is drawn of a hair that stands still (transmittance, colours) is made again by light().
+// Changes of the scene between two frames. Each preserves the hair's motion as far as possible.
+// Call light() afterwards to recompute transmittance and colours without a frame.
 
-/// To another place with its head: everything that moves is turned and moved as the head is to get
-/// to `worldFromHead`, velocities and the colliders of the frame before included, so that the hair
-/// keeps its shape and does not see the jump. Gravity and wind stay the world's. Throws Error for a
-/// head that is not finite.
+/// Teleports hair and head to `worldFromHead`: applies the head's rigid motion to guides, drawn
+/// points, capsules, velocities and repulsion, so that the hair keeps its shape and gets no
+/// impulse. Forgets planes and meshes: the next frame takes its own as at rest. Gravity and wind
+/// stay in world axes. Throws Error for a head that is not finite.
 void teleport(const RigidTransform& worldFromHead, Hair& hair);
 
-/// The world's origin moves to `origin`: what is handed over from now on counts from there. Hair
-/// keeps its shape, its speed and its place. Positions are floats, which are finest near the
-/// origin: who wanders far moves it along now and then, before requirePrecision (guides/validate.h)
-/// refuses a frame. Gusts of wind, and cells of the maps, are not where they were. Throws Error for
-/// an origin that is not finite.
+/// Rebases the world to `origin`: later input is relative to it. Hair keeps its shape, velocity and
+/// place. Positions are floats, most precise near the origin: programs that travel far should
+/// rebase before requirePrecision (guides/validate.h) rejects a frame. Wind gusts and map cells
+/// shift with the origin. Throws Error for an origin that is not finite.
 void moveOrigin(glm::vec3 origin, Hair& hair);
 
-/// Other colliders: the next frame takes those of `body` as having stood where they are now. Guides
-/// that are inside one are brought out, in no time and without a change of their velocities; guides
-/// that are clear of all keep every bit. frame() does this by itself where the body has more or
-/// fewer colliders than before; where as many others take their places, it must be told.
+/// Replaces the colliders: the next frame treats those of `body` as having been at rest. Guides
+/// inside one are moved out without advancing time or changing velocities; guides clear of all keep
+/// every bit. frame() does this itself where the number of colliders changes; call it where the
+/// number stays and the colliders differ.
 /// Throws Error for more than kMaxCapsules capsules, and for colliders that are not valid.
 void changeColliders(const BodyState& body, const FrameSettings& settings, Hair& hair);
 
-/// Another hairstyle on the same head, from now on: `groom` must outlive the hair. Where it has as
-/// many guides, of as many points, as the one before, the directions and velocities of all links
-/// stay and their lengths are the new ones (a trim, or other stiffness, curls or drawn strands, in
-/// the middle of a motion): returns true. Otherwise the new guides are at rest where the head is.
-/// Both are brought out of colliders as changeColliders does. Time goes on.
-/// Throws Error as Hair's constructor does; the hair then is as it was.
+/// Replaces the groom; it must outlive the hair. If the numbers of guides and of points a guide
+/// match, link directions and point velocities are kept with the new link lengths (a trim, or other
+/// stiffness, curls or drawn strands, during motion), and it returns true. Otherwise the new guides
+/// start at rest on the head. In both cases guides are moved out of colliders as by
+/// changeColliders. Time continues.
+/// Throws Error as Hair's constructor does; the hair is then unchanged.
 bool changeGroom(const Groom& groom, const FrameSettings& settings, Hair& hair);
 
 }  // namespace hair

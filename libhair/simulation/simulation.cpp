@@ -44,7 +44,7 @@ Simulation::Simulation(std::shared_ptr<const Groom> groom, const FrameSettings& 
   relight();
 }
 
-// What a frame would refuse, before it changes anything.
+// Validates all input of a frame, before anything changes.
 void Simulation::requireFrame(const BodyState& body) const {
   require(body.capsules.size() <= kMaxCapsules, "body: ", body.capsules.size(),
           " capsules; at most ", kMaxCapsules);
@@ -53,7 +53,7 @@ void Simulation::requireFrame(const BodyState& body) const {
   validate(body.scenery);
   requirePrecision(hair_.guides, body.worldFromHead);
   for (const Light& light : settings_.lights) lightSpaceOf(light, body.worldFromHead.translation);
-  // A change of the level forgets it.
+  // A pending level change discards the visibility.
   const std::size_t known = hair_.level == hair_.wisps.drawn.level ? hair_.visibility.size() : 0;
   require(known == 0 || known == settings_.lights.size() * hair_.wisps.points.size(),
           "visibility: ", known, " values for ", settings_.lights.size(), " lights and ",
@@ -147,8 +147,7 @@ void Simulation::restore(std::istream& in) {
   restoreState(in, hair_);
   body_.worldFromHead = hair_.worldFromHead;
   body_.capsules = hair_.capsules;
-  // A hair that was teleported before it was saved knows no scenery; meshes are those that this one
-  // has met, where there are as many.
+  // A state saved after a teleport has no scenery. Meshes are known only if their number matched.
   if (!hair_.planes.empty()) body_.planes = hair_.planes;
   if (body_.meshes.size() == hair_.meshes.size()) body_.meshes = hair_.meshes;
   relight();

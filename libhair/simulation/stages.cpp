@@ -23,8 +23,8 @@ std::int64_t pointsOf(const Hair& hair) {
   return static_cast<std::int64_t>(hair.wisps.points.size());
 }
 
-// What self-collision counts: the same strands at every level, or hair would move when its level
-// changes.
+// Strands that self-collision splats: the same at every level, so that a level change does not move
+// hair.
 StrandView countedStrands(const RepulsionSettings& settings, Hair& hair) {
   if (hair.wisps.drawn.first.empty()) return hair.strands();
   StrandSet& counted = HairScratch::counted(hair);
@@ -32,7 +32,7 @@ StrandView countedStrands(const RepulsionSettings& settings, Hair& hair) {
   return counted;
 }
 
-// The light's map: drawn hair, and the body where settings ask for it.
+// Deposits the drawn hair in the light's map, and the body if settings.bodyShadow.
 void fillMap(const DrawnHair& drawn, const Light& light, const DensityMapSettings& cells,
              const FrameSettings& settings, const Hair& hair, DensityMap& map) {
   clear(map, cells, lightSpaceOf(light, hair.pivot()));
@@ -42,20 +42,19 @@ void fillMap(const DrawnHair& drawn, const Light& light, const DensityMapSetting
   occlude(hair.capsules, map);
 }
 
-// Of the hair, along the axis of the map along which it is longest.
+// The hair's largest extent along an axis of the map.
 int extentInCells(const DensityMap& map) {
   const glm::ivec3 size = map.grid.upper - map.grid.lower;
   return std::max({size.x, size.y, size.z}) + 1;
 }
 
-// The same with larger cells where the ends of the hair would share some. Cells grow in steps, so
-// that they keep their size while the hair moves a little; they depend on this frame's hair alone.
+// fillMap, with larger cells where the hair would wrap around the map. Cells grow in steps, so that
+// small motion keeps their size; they depend on this frame's hair alone.
 void fillFittingMap(const DrawnHair& drawn, const Light& light, const FrameSettings& settings,
                     const Hair& hair, DensityMap& map) {
   constexpr float kStep = 1.25f;
   constexpr int kMostRounds = 4;
-  // Hair around or behind a light at a point fits into no map: its near cells stay as they were
-  // set.
+  // Hair around or behind a point light fits into no map: keep the cell size of the settings.
   constexpr float kMostAtPoint = 4;
   DensityMapSettings cells = mapAt(hair.wisps.drawn.level, settings.map);
   fillMap(drawn, light, cells, settings, hair, map);
@@ -78,13 +77,13 @@ void applyLevel(Hair& hair) {
           "level of detail: Hair::level is set, but Hair::detail is null; make a "
           "GroomDetail of the groom");
   setLevel(*hair.detail, hair.level, hair.wisps);
-  hair.visibility.clear();  // of other points
+  hair.visibility.clear();  // it had one value for each old point
 }
 
 void learnRestDensity(const FrameSettings& settings, Hair& hair) {
   Repulsion& repulsion = hair.repulsion;
   if (!settings.selfCollision) {
-    // What it pushed and sheltered before is of no use when it is back.
+    // Both would be stale when self-collision is switched on again.
     std::fill(repulsion.push.begin(), repulsion.push.end(), LaneVec3{});
     repulsion.windShare.clear();
     return;
@@ -96,7 +95,7 @@ void learnRestDensity(const FrameSettings& settings, Hair& hair) {
   const Wisps drawn(*hair.groom, atRest, hair.wisps.settings, hair.head);
   Repulsion learnt;
   allowRestDensity(drawn.strands(), hair.groom->fibre, atRest, settings.repulsion, learnt);
-  // The hair moves on: what pushes it does not stop, and its turns stay due.
+  // The hair is in motion: keep the current push, turn and waiting time.
   repulsion.density = std::move(learnt.density);
   repulsion.allowed = std::move(learnt.allowed);
   repulsion.learntWith = learnt.learntWith;
