@@ -9,9 +9,8 @@
 namespace HAIR_API hair {
 namespace literal {
 
-/// What repel makes of one point, from the grid's own look-ups: the push of Bertails et al. 2005,
-/// section 4.1 (RepulsionKind::CellCentre), or down the density's gradient. `allowed`: metres of
-/// hair per m³. m/s². What repel is tested against.
+/// Scalar reference for repel at one point: the push, m/s², of Bertails et al. 2005, section 4.1
+/// (RepulsionKind::CellCentre), or down the density gradient. `allowed`: metres of hair per m³.
 glm::vec3 push(const DensityGrid& grid, const RepulsionSettings& settings, float allowed,
                glm::vec3 p);
 

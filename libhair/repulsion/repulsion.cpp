@@ -9,8 +9,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// Look-ups in a density grid for sixteen points at once: DensityGrid::density and sampleDensity,
-// bit for bit.
+// DensityGrid::density and sampleDensity for sixteen points at once, bit-identical.
 class DensityLookup {
  public:
   HWY_INLINE explicit DensityLookup(const DensityGrid& grid)
@@ -21,7 +20,7 @@ class DensityLookup {
         perCount_(grid.quantum /
                   (grid.settings.cellSize * grid.settings.cellSize * grid.settings.cellSize)) {}
 
-  // Which way points are pushed, unit or shorter, and the density there.
+  // Direction of the push, of length <= 1, and the density.
   HWY_INLINE void push(RepulsionKind kind, const Vec3& p, Vec3& direction, Floats& density) const {
     if (kind == RepulsionKind::CellCentre) {
       const Cell c = cellOf(cellCoordinates(grid_.frame, p));
@@ -36,11 +35,10 @@ class DensityLookup {
     }
     Vec3 gradient;
     sample(p, density, gradient);
-    // The square of the gradient in cells of 0.01 mm is beyond floats. A power of two costs no
-    // digit.
+    // Scale first: the squared gradient overflows for cells of 0.01 mm. A power of two is exact.
     constexpr float kSmall = 0x1p-32f;
     gradient = Floats(kSmall) * gradient;
-    // Where density hardly changes across a cell there is no way out: push less.
+    // Push less where the density is nearly uniform across a cell: its gradient leads nowhere.
     const float cellSize = grid_.settings.cellSize;
     const Floats across = Floats(cellSize) * length(gradient);
     const Floats steepness = across / (across + Floats(0.1f * kSmall) * density + Floats(1e-30f));
@@ -71,8 +69,7 @@ class DensityLookup {
   }
 
  private:
-  // Of an axis: a cell and the one after it, wrapped, and whether they are within the bounds of the
-  // hair.
+  // Along one axis: a cell and the next, wrapped, and whether they are within the hair's bounds.
   struct Axis {
     Ints cell[2];
     Mask inside[2];
@@ -93,9 +90,8 @@ class DensityLookup {
     return {{toFloats(i), toFloats(j), toFloats(k)}, axisOf(i, 0), axisOf(j, 1), axisOf(k, 2)};
   }
 
-  // DensityGrid::density of the first or second cells of x and z, and of both cells of y: most
-  // often one look-up, as a row of a brick holds them side by side. Where no brick is there are
-  // zeros.
+  // DensityGrid::density of cell a along x and d along z, for both cells along y. Usually a single
+  // gather, because rows of a brick are contiguous along y. Missing bricks read as zeros.
   HWY_INLINE Pairs densitiesOf(const Cell& c, int a, int d) const {
     const Ints along = codes_.along(c.x.cell[a]);
     const Ints here = codeInStore(along + codes_.across(c.y.cell[0], c.z.cell[d]));
@@ -136,7 +132,7 @@ void densities(const DensityGrid& grid, RepulsionKind kind, const LaneVec3* poin
   }
 }
 
-// What pushes `count` · 16 points.
+// Push at `count` · 16 points.
 void pushes(const DensityGrid& grid, const RepulsionSettings& settings, const LaneVec3* points,
             const Lanes* allowed, std::size_t count, LaneVec3* out) {
   const DensityLookup lookup(grid);
@@ -149,8 +145,8 @@ void pushes(const DensityGrid& grid, const RepulsionSettings& settings, const La
   }
 }
 
-// What of the wind is left of it at `count` · 16 points. `step`: the way upwind that takes the
-// largest of its coordinates one cell on.
+// Attenuation of the wind at `count` · 16 points. `step`: upwind vector whose largest component is
+// one cell.
 void sheltered(const DensityGrid& grid, float shelter, const glm::vec3& step,
                const LaneVec3* points, std::size_t count, Lanes* out) {
   const DensityLookup lookup(grid);
@@ -158,7 +154,7 @@ void sheltered(const DensityGrid& grid, float shelter, const glm::vec3& step,
   for (std::size_t at = 0; at < count; ++at) {
     const Vec3 p = points[at];
     Floats sum = 0.0f;
-    // A point's own hair is in cells less than one and a half from it.
+    // Start at 1.5 cells: trilinear samples nearer would include the point's own hair.
     for (const float cells : {1.5f, 2.5f, 3.5f, 4.5f}) {
       Vec3 gradient;
       Floats density;
@@ -193,7 +189,7 @@ HWY_EXPORT(densities);
 HWY_EXPORT(pushes);
 HWY_EXPORT(sheltered);
 
-// An empty grid has no memory to look into.
+// Skip an empty grid: it may have no memory.
 void lookUp(const DensityGrid& grid, RepulsionKind kind, std::span<const LaneVec3> points,
             std::span<Lanes> out) {
   if (grid.empty()) return std::fill(out.begin(), out.end(), lanes(0));
@@ -224,15 +220,15 @@ void validate(const RepulsionSettings& s) {
 
 int repelPasses(float seconds, const RepulsionSettings& settings, Repulsion& repulsion) {
   const float waited = repulsion.waiting + seconds;
-  // A turn that is due but for rounding is due.
+  // The tolerance counts a pass that only rounding makes late.
   const float turns = std::floor(waited / settings.interval + 1e-3f);
   repulsion.waiting = std::max(0.0f, waited - turns * settings.interval);
-  // Two see all guides; more in one frame would see the same density again.
+  // Two passes update all guides; more would read the same density again.
   return static_cast<int>(std::min(2.0f, turns));
 }
 
 std::uint32_t strideCounted(std::size_t strands, const RepulsionSettings& settings) {
-  // Of few strands more are counted: a lone one that stood for many would push itself away.
+  // Splat at least 30 strands: a lone strand with a large weight would push itself away.
   constexpr std::size_t kFewest = 30;
   return static_cast<std::uint32_t>(
       std::min<std::size_t>(std::max<std::size_t>(strands / kFewest, 1), settings.strandStride));
@@ -257,7 +253,7 @@ void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& 
   lookUp(repulsion.density, settings.kind, guides.position, repulsion.allowed);
   for (Lanes& allowed : repulsion.allowed)
     allowed = max(lanes(settings.threshold), settings.tolerance * allowed);
-  // Hair slides along its own strand's neighbours: what a strand met at rest it may meet anywhere.
+  // Hair slides along its neighbours: allow each point the mean of its own and the guide's maximum.
   for (std::size_t g = 0; g < guides.groupCount(); ++g) {
     Lanes most = lanes(0);
     for (std::uint32_t i = 0; i < n; ++i) most = max(most, repulsion.allowed[g * n + i]);
