@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-/// Bricks begin to end - 1 of `from`; those of `sum` that are newer than `old` are not yet written.
+/// Adds bricks begin to end - 1 of `from`. Slots of `sum` above `old` are uninitialised: overwrite.
 bool addBricks(const BrickStore& from, std::size_t begin, std::size_t end, std::size_t old,
                BrickStore& sum) {
   const Ints lowest(std::numeric_limits<std::int32_t>::min());
@@ -29,7 +29,7 @@ bool addBricks(const BrickStore& from, std::size_t begin, std::size_t end, std::
       Ints s = t;
       if (slot <= old) {
         s = s + loadInts(mine + c);
-        // A carry, in numbers with signs.
+        // Unsigned overflow, tested by a signed comparison.
         s = select((s + lowest) < (t + lowest), Ints(-1), s);
         full = full | (s == Ints(-1));
       }
@@ -50,7 +50,7 @@ namespace hair {
 HWY_EXPORT(addBricks);
 
 bool addBricks(BrickStore& from, BrickStore& sum) {
-  // Places are made one after another, which is a look at the table each; bytes move in parallel.
+  // Claim places serially, one table look-up each; then add cells in parallel.
   const std::size_t old = sum.size();
   for (const std::uint32_t place : from.places()) sum.claim(place);
   std::atomic<bool> full = false;

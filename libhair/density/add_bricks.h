@@ -4,8 +4,8 @@
 
 namespace hair {
 
-/// sum += from, and `from` is empty. Sums that do not fit stand at 2^32 - 1; true if there is one.
-/// Threads share the bricks.
+/// sum += from, then clears `from`. Saturates at 2^32 - 1; returns whether any cell did. Threads
+/// over bricks.
 bool addBricks(BrickStore& from, BrickStore& sum);
 
 }  // namespace hair

@@ -9,16 +9,16 @@
 
 namespace HAIR_API hair {
 
-/// Where the axes of a grid of cells point. {}: as the world's.
+/// Axes and origin of a grid of cells. {}: those of the world.
 ///
 /// Points are floats relative to `origin` (world = origin + point), which is double: cells 10 km
 /// from the world's origin are as exact as there.
 struct GridSpace {
   glm::mat3 gridFromWorld{1};  ///< rotation; its rows are the grid's X, Y and Z
   glm::dvec3 origin{0};        ///< metres
-  glm::vec3 pivot{0};          ///< curved grids: where cells are as large as they are asked for
-  /// 1 / (distance of pivot and focus), 1/metre: columns of cells along X meet in a point, the
-  /// focus, which lies before the pivot. 0: they are parallel, and the grid is straight.
+  glm::vec3 pivot{0};          ///< curved grids: point where cells have their nominal size
+  /// 1 / (distance of pivot and focus), 1/metre: columns of cells along X converge at the focus, on
+  /// the -X side of the pivot. 0: columns are parallel, and the grid is straight.
   float curvature = 0;
 };
 
@@ -26,9 +26,9 @@ struct GridSpace {
 /// *unwrapped cell coordinates*: cell (i, j, k) covers [i, i+1) × [j, j+1) × [k, k+1), and the
 /// numbers stay small because they count from the cell of `anchor`.
 ///
-/// The world position of the anchor (origin + anchor) goes through double once; its cell folded
-/// modulo the grid is `base`, the rest `fraction`. Per point all is float, and exact where the
-/// points share their leading digits with the anchor.
+/// The world position of the anchor (origin + anchor) is computed once in double; its cell modulo
+/// the grid is `base`, its position in that cell `fraction`. Per-point arithmetic is float, and
+/// precise for points near the anchor.
 ///
 /// A curved grid, Psi' (section 6: angular cells, radial slices): let v be the coordinates above in
 /// the grid's axes with the pivot at 0, and K the curvature per cell. The focus is at
@@ -37,22 +37,21 @@ struct GridSpace {
 ///   rho = |(1 + K v_x, K v_y, K v_z)|       g = 2 / (rho + 1 + K v_x)
 ///   u = ((2 v_x + K |v|²) / (1 + rho),  g v_y,  g v_z)
 ///
-/// u_x is the distance from the focus less that of the pivot; (u_y, u_z) is the stereographic
-/// projection of the direction from the focus. That is conformal: cells are squares all over the
-/// sphere, so that what a thin fibre covers of its cell is its length in (u_y, u_z) times g times
-/// its width, as it is, with g = 1, in a straight grid; K = 0 *is* a straight grid. Only the ray
-/// from the focus straight away from the pivot has no cell; around a focus inside the hair there is
-/// hair in all directions, and that far behind it will be farther apart than any grid is large
-/// (DensityGrid::aliased).
+/// u_x is the distance from the focus minus that of the pivot; (u_y, u_z) is the stereographic
+/// projection of the direction from the focus. It is conformal: cells are square all over the
+/// sphere, so a thin fibre covers an area of its cell of length in (u_y, u_z) × g × width. In a
+/// straight grid g = 1, and K = 0 *is* a straight grid. Only the ray from the focus away from the
+/// pivot has no cell. With the focus inside the hair, hair behind the focus is spread wider than
+/// any grid (DensityGrid::aliased).
 struct CellFrame {
-  glm::vec3 anchor{0};         ///< some point of the hair, or the pivot; metres
+  glm::vec3 anchor{0};         ///< a point of the hair, or the pivot; metres
   glm::mat3 cellFromWorld{1};  ///< rotation / cell size, 1/metre
   glm::mat3 worldFromCell{1};  ///< its inverse, metres
-  glm::vec3 fraction{0};       ///< where in its cell the anchor lies, [0, 1); 0 for a pivot
+  glm::vec3 fraction{0};       ///< the anchor's position in its cell, [0, 1); 0 for a pivot
   glm::ivec3 base{0};          ///< wrapped cell of the anchor, [0, cells)
   float curvature = 0;         ///< K, 1/cells
 
-  /// Unwrapped cell coordinates of a point. Clamped to ± 1e9, so that they always fit an int.
+  /// Unwrapped cell coordinates of a point, clamped to ± 1e9 to fit an int.
   glm::vec3 cellCoordinates(glm::vec3 p) const {
     const glm::vec3 d = p - anchor;
     glm::vec3 u =
@@ -66,26 +65,26 @@ struct CellFrame {
     if (curvature > 0) v = straighten(v, curvature);
     return anchor + worldFromCell * v;
   }
-  /// g at unwrapped cell coordinates: how many times as many cells as at the pivot a thing is large
-  /// across X; 1 in a straight grid.
+  /// g at unwrapped cell coordinates: extent across X in cells, relative to that of the same object
+  /// at the pivot; 1 in a straight grid.
   float magnification(glm::vec3 u) const {
     return (1.0f + 0.25f * curvature * curvature * (u.y * u.y + u.z * u.z)) /
            std::max(1.0f + curvature * u.x, 1e-6f);
   }
 
-  /// Psi' from v to u, and back.
+  /// Psi', from v to u.
   static glm::vec3 bend(glm::vec3 v, float k) {
     const float ahead = 1.0f + k * v.x;
     const float across = k * k * (v.y * v.y + v.z * v.z);
     const float rho = std::sqrt(ahead * ahead + across);
-    // Behind the focus rho + ahead cancels; across / (rho - ahead) is the same and does not.
+    // Behind the focus rho + ahead cancels; across / (rho - ahead) is equal and does not.
     const float sum = ahead > 0 ? rho + ahead : across / (rho - ahead + 1e-30f);
     if (sum < 1e-12f) return {v.x, 1e9f, 1e9f};
     const float g = 2.0f / sum;
     return {(2.0f * v.x + k * (v.x * v.x + v.y * v.y + v.z * v.z)) / (1.0f + rho), g * v.y,
             g * v.z};
   }
-  /// From u to v.
+  /// Inverse of Psi', from u to v.
   static glm::vec3 straighten(glm::vec3 u, float k) {
     const float square = u.y * u.y + u.z * u.z;
     const float part = 1.0f / (4.0f + k * k * square);
@@ -94,7 +93,7 @@ struct CellFrame {
   }
 };
 
-/// Cells of `cellSize` metres, `cells` an axis. Of a curved grid the anchor is its pivot.
+/// Cells of `cellSize` metres, `cells` along each axis. A curved grid is anchored at its pivot.
 inline CellFrame makeCellFrame(const GridSpace& space, glm::vec3 anchor, float cellSize,
                                int cells) {
   if (space.curvature > 0) {
@@ -114,14 +113,15 @@ inline CellFrame makeCellFrame(const GridSpace& space, glm::vec3 anchor, float c
   for (int c = 0; c < 3; ++c) {
     const double whole = std::floor(g[c]);
     frame.fraction[c] = std::min(static_cast<float>(g[c] - whole), 0x1.fffffep-1f);
-    // Floor-mod, in double: whole may be beyond any integer's range.
+    // Floor-mod in double: `whole` may exceed any integer type.
     frame.base[c] = static_cast<int>(whole - cells * std::floor(whole / cells));
     frame.base[c] = std::clamp(frame.base[c], 0, cells - 1);
   }
   return frame;
 }
 
-/// floor for |x| <= 1e9, without the library call that baseline x86-64 would make of it.
+/// floor for |x| <= 1e9. Baseline x86-64 has no instruction for std::floor and would call a
+/// function.
 inline int floorToInt(float x) {
   const int i = static_cast<int>(x);
   return i - (x < static_cast<float>(i) ? 1 : 0);

@@ -14,12 +14,12 @@ inline glm::ivec3 floorToCell(glm::vec3 u) {
   return {floorToInt(u.x), floorToInt(u.y), floorToInt(u.z)};
 }
 
-/// One axis of a walk through the cells along a segment.
+/// One axis of a grid traversal along a segment (DDA).
 struct AxisWalk {
-  int way,     ///< direction of the next wall, 1 or -1
-      left;    ///< walls to cross
-  float next,  ///< the next wall, in the segment's parameter, [0, 1]; kNever: none
-      step;    ///< from wall to wall, in the same
+  int way,     ///< direction of traversal, 1 or -1
+      left;    ///< walls left to cross
+  float next,  ///< segment parameter of the next wall, [0, 1]; kNever: none
+      step;    ///< segment parameter from wall to wall
 
   /// From coordinate a, in `cell`, to coordinate b, in cell `last`, along this axis.
   AxisWalk(float a, float b, int cell, int last) : way(last > cell ? 1 : -1), left(last - cell) {
@@ -30,8 +30,8 @@ struct AxisWalk {
     step = std::abs(perParameter);
     left = std::abs(left);
   }
-  /// Crosses the wall at `next` if `now`. Whole numbers of walls decide where the axis ends, never
-  /// sums of steps. Selections, no branches: which axis comes next cannot be predicted.
+  /// Crosses the wall at `next` if `now`. Counts walls to find the end of the axis, which rounding
+  /// in sums of steps could miss. Branch-free: the order of axes is unpredictable.
   void cross(bool now, int& cell) {
     const int one = now ? 1 : 0;
     cell += now ? way : 0;
@@ -40,7 +40,7 @@ struct AxisWalk {
     next = left == 0 ? kNever : further;
   }
 
-  static constexpr float kNever = 2.0f;  ///< farther than any wall
+  static constexpr float kNever = 2.0f;  ///< beyond any wall
 };
 
 }  // namespace hair

@@ -13,8 +13,8 @@ namespace hair {
 
 namespace {
 
-/// Work that is worth another thread, in nanoseconds: less is done before it has begun. Its bricks
-/// are made and added up besides; there will be about as many as a frame before.
+/// Least work, nanoseconds, for another thread: start-up time, or the time to allocate and add its
+/// bricks, estimated from the previous frame's.
 std::size_t worthAThread(const BrickStore& bricks) {
   return std::max<std::size_t>(50000, 40 * std::max(bricks.size(), bricks.sizeBefore()));
 }
@@ -33,7 +33,7 @@ void CellWriter::flush() {
   if (std::any_of(counts_, counts_ + size_, [](std::uint32_t c) { return c >= kManyCounts; })) {
     for (std::size_t l = 0; l < size_; ++l) addAlone({x_[l], y_[l], z_[l]}, counts_[l]);
   } else {
-    // Zeros fill up the lanes.
+    // Pad the last vector with zero counts.
     for (; size_ % kLanes != 0; ++size_) {
       x_[size_] = x_[0], y_[size_] = y_[0], z_[size_] = z_[0];
       counts_[size_] = 0;

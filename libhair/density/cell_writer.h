@@ -11,8 +11,8 @@
 
 namespace hair {
 
-// Fixed point: one count is 2^-20 of what is summed up, be it metres or optical depths. A cell
-// holds 4096 of either; light is gone after an optical depth of 70.
+// Fixed point: one count is 2^-20 of the unit, metres or optical depth. A cell holds up to 4096
+// units; an optical depth of 70 is opaque.
 inline constexpr float kQuantum = 0x1p-20f;
 
 inline constexpr std::uint32_t kFull = 0xffffffffu;
@@ -21,21 +21,22 @@ inline std::uint32_t addSaturating(std::uint32_t a, std::uint32_t b) {
   return a > kFull - b ? kFull : a + b;
 }
 
-/// Adds counts to the cells of a store of its own, so that threads never meet; writeCells sums the
-/// stores up. Sums of integers do not depend on their order. Whoever makes one flushes it.
+/// Adds counts to the cells of a store of its own, one a thread, without locks; writeCells adds up
+/// the stores. Integer sums do not depend on the order. Call flush() before the writer is
+/// destroyed.
 class CellWriter {
  public:
   CellWriter(const DensityGrid& grid, BrickStore& store) : grid_(grid), store_(store) {}
   CellWriter(const CellWriter&) = delete;
   CellWriter& operator=(const CellWriter&) = delete;
 
-  /// All cells from one to the other may be written.
+  /// Extends the bounds of deposited cells.
   void extend(glm::ivec3 lower, glm::ivec3 upper) {
     lower_ = glm::min(lower_, lower);
     upper_ = glm::max(upper_, upper);
   }
 
-  /// To an unwrapped cell. Kept until there are enough of them to find their bricks side by side.
+  /// Adds to an unwrapped cell. Buffered, so that bricks are looked up in batches.
   void add(glm::ivec3 cell, std::uint32_t count) {
     x_[size_] = cell.x;
     y_[size_] = cell.y;
@@ -43,7 +44,7 @@ class CellWriter {
     counts_[size_] = count;
     if (++size_ == kSize) flush();
   }
-  /// Now all that was added is in the store.
+  /// Writes buffered counts to the store.
   void flush();
 
   /// For kernels that write to the store themselves.
@@ -53,7 +54,7 @@ class CellWriter {
 
   glm::ivec3 lower() const { return lower_; }
   glm::ivec3 upper() const { return upper_; }
-  bool full() const { return full_; }  ///< a sum did not fit
+  bool full() const { return full_; }  ///< a sum has saturated
 
  private:
   static constexpr std::size_t kSize = 64;
@@ -75,10 +76,10 @@ void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, D
                 WriteRange write, void* context);
 }  // namespace detail
 
-/// Calls write(writer, begin, end) on ranges of at most `grain` that cover [0, count), on as many
-/// threads as there is work for (`nanoseconds`: what it would take one, roughly), and adds up what
-/// they wrote in grid.bricks, with bounds and saturation. The result has the same bits for any
-/// number of threads.
+/// Calls write(writer, begin, end) on ranges of at most `grain` that cover [0, count), in parallel,
+/// and adds the results to grid.bricks, with bounds and saturation. `nanoseconds`: estimated time
+/// on one thread; limits the number of threads. The result has the same bits for any number of
+/// threads.
 template <class Write>
 void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, DensityGrid& grid,
                 Write&& write) {

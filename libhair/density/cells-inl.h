@@ -26,7 +26,7 @@ HWY_INLINE Vec3 bend(Vec3 v, float k) {
   return select(sum < Floats(1e-12f), Vec3(v.x, 1e9f, 1e9f), u);
 }
 
-/// The bits of CellFrame::cellCoordinates.
+/// CellFrame::cellCoordinates, bit-identical.
 HWY_INLINE Vec3 cellCoordinates(const CellFrame& frame, Vec3 p) {
   Vec3 u = Vec3(frame.fraction) + rotate(frame.cellFromWorld, p - Vec3(frame.anchor));
   if (frame.curvature > 0) u = bend(u, frame.curvature);
@@ -41,7 +41,7 @@ HWY_INLINE Floats magnification(const CellFrame& frame, Vec3 u) {
          max(Floats(1.0f) + Floats(k) * u.x, 1e-6f);
 }
 
-/// Where unwrapped cells are stored: place · brick::kCells + offset.
+/// Storage codes of unwrapped cells: place · brick::kCells + offset.
 class CellCodes {
  public:
   HWY_INLINE explicit CellCodes(const DensityGrid& grid)
@@ -58,20 +58,20 @@ class CellCodes {
       farther(x), farther(y), farther(z);
     }
   }
-  /// Of one axis.
+  /// DensityGrid::wrap along one axis.
   HWY_INLINE Ints wrap(Ints c, int axis) const {
     Ints i = turn(c + Ints(grid_.frame.base[axis]));
     if (HWY_UNLIKELY(any(outside(i)))) farther(i);
     return i;
   }
-  /// At most one turn: [0, cells) from [-cells, 2 cells); others stay outside.
+  /// Wraps at most once: [-cells, 2 cells) to [0, cells). Others stay outside.
   HWY_INLINE Ints turn(Ints i) const {
-    // As numbers without signs, those that are not inside are larger than those that are.
+    // As unsigned numbers, values outside are larger than those inside.
     return minUnsigned(minUnsigned(i, i + Ints(cells_)), i - Ints(cells_));
   }
   /// The wrapped cell after a wrapped one.
   HWY_INLINE Ints next(Ints x) const { return select(x == Ints(cells_ - 1), Ints(0), x + Ints(1)); }
-  /// The two parts of a code, of wrapped cells.
+  /// A code is along(x) + across(y, z), of wrapped cells.
   HWY_INLINE Ints along(Ints x) const {
     return shiftLeft<8>(shiftRight<2>(x) * Ints(across_)) + shiftLeft<6>(x & Ints(brick::kX - 1));
   }
@@ -88,7 +88,7 @@ class CellCodes {
 
  private:
   HWY_INLINE Mask outside(Ints i) const { return (i < Ints(0)) | !(i < Ints(cells_)); }
-  /// Where some are farther from the anchor than one grid. Sums of a turn are undone by wrapping.
+  /// Slow path: some lanes are more than one grid from the anchor. Wrapping again undoes turn().
   HWY_NOINLINE void farther(Ints& i) const {
     std::int32_t each[kLanes];
     store(i, each);

@@ -39,7 +39,7 @@ void clear(DensityGrid& grid, const DensityGridSettings& settings, const GridSpa
     grid.workers.clear();
   } else {
     grid.bricks.clear();
-    // Empty but after an exception.
+    // Non-empty only after an exception.
     for (BrickStore& worker : grid.workers) worker.clear();
   }
   grid.saturatedCells = 0;
@@ -56,7 +56,7 @@ DensitySample sampleDensity(const DensityGrid& grid, glm::vec3 p) {
   const glm::vec3 u = grid.frame.cellCoordinates(p) - 0.5f;
   const glm::ivec3 c(floorToInt(u.x), floorToInt(u.y), floorToInt(u.z));
   const glm::vec3 f = u - glm::vec3(c);
-  // As DensityGrid::density of the eight cells, each axis wrapped once.
+  // DensityGrid::density of eight cells; wraps each axis once for all of them.
   glm::ivec3 at[2];
   glm::bvec3 inside[2];
   for (int k = 0; k < 2; ++k) {

@@ -13,73 +13,73 @@
 
 namespace HAIR_API hair {
 
-/// How strands are written into a grid.
+/// How strands are splatted into a grid.
 enum class Deposit {
   Points,  ///< every point adds one count to its cell (Bertails et al. 2005, section 3.1)
-  /// Every segment cut where it leaves a column of cells along X, each piece shared between the two
-  /// slices that are nearest to its middle: what is summed up along a column is as accurate as that
-  /// of Segments for a quarter of its cost.
+  /// Clips every segment to columns of cells along X and splits each piece between the two slices
+  /// nearest to its middle. Sums along a column are as accurate as with Segments, at a quarter of
+  /// the cost.
   Columns,
-  Segments,  ///< every segment adds to each cell that it crosses what lies inside
+  Segments,  ///< clips every segment to the cells that it crosses
 };
 
-/// What a grid is made of and how it is filled.
+/// Resolution of a grid, and how strands are splatted.
 struct DensityGridSettings {
   int cells = 128;                     ///< along each axis (the paper's NCELLS), 2 to 1024
   float cellSize = 7.5e-3f;            ///< metres (the paper's ds), 1e-6 to 1e6
-  Deposit deposit = Deposit::Columns;  ///< how strands are written
+  Deposit deposit = Deposit::Columns;  ///< how strands are splatted
 
-  /// Length of an edge of the grid, metres: beyond it cells repeat.
+  /// Edge length of the grid, metres; cells wrap beyond it.
   float extent() const { return static_cast<float>(cells) * cellSize; }
 };
-/// Throws Error that names the setting which is out of range.
+/// Throws Error that names the setting out of range.
 void validate(const DensityGridSettings& settings);
 
-/// How much hair is where: integer counts on a sparse grid (Bertails et al. 2005, section 2).
-/// Of what amount a count stands for, metres of hair or anything else that can be added up,
-/// deposit() decides (deposit.h).
+/// Hair density as integer counts on a sparse grid (Bertails et al. 2005, section 2). deposit()
+/// sets the unit of a count: metres of hair, or any other additive quantity (deposit.h).
 ///
-/// Life of a frame: clear() -> deposit() -> density(), sampleDensity(). shadow/density_map.h makes
-/// a shadow of one whose X axis runs along a light; repulsion/ pushes hair out of its dense places.
+/// Use per frame: clear() -> deposit() -> density(), sampleDensity(). shadow/density_map.h computes
+/// shadows from a grid whose X axis runs along a light; repulsion/ pushes hair out of dense cells.
 ///
-/// Cells stand in bricks (brick_store.h), and only those that hold hair: memory and clearing cost
-/// what the hair costs, not what the volume does.
+/// Only bricks of cells that hold hair are allocated (brick_store.h): memory and clearing time
+/// scale with the hair, not with the volume.
 ///
-/// The modulo of the paper only decides where a cell is stored. The grid remembers the bounds of
-/// what was deposited in unwrapped cells (CellFrame), so that a place beside the hair (another
-/// body, the ground) never reads a cell that belongs to the hair's other end.
+/// The paper's modulo only selects where a cell is stored. The grid also keeps the bounds of
+/// deposited hair in unwrapped cells (CellFrame), so that look-ups outside them (another body, the
+/// ground) do not read wrapped cells of the hair.
 struct DensityGrid {
-  DensityGridSettings settings;  ///< as clear() was given them
-  GridSpace space;               ///< as clear() was given it
+  DensityGridSettings settings;  ///< as passed to clear()
+  GridSpace space;               ///< as passed to clear()
   CellFrame frame;               ///< from points to cells
-  float quantum = 0;             ///< the amount that one count means, 0 before any deposit
+  float quantum = 0;             ///< amount per count; 0 before the first deposit
 
-  // Unwrapped cells that hold hair; lower > upper while there is none.
-  glm::ivec3 lower{INT_MAX},  ///< the first cell along each axis; > upper: none holds hair
-      upper{INT_MIN};         ///< the last cell along each axis
+  // Bounds of the hair in unwrapped cells.
+  glm::ivec3 lower{INT_MAX},  ///< first cell along each axis; > upper: no hair
+      upper{INT_MIN};         ///< last cell along each axis
 
   BrickStore bricks;                 ///< counts: fixed-point amounts
-  std::vector<BrickStore> workers;   ///< what other threads deposited, before it was added up
-  std::uint32_t saturatedCells = 0;  ///< whose sum did not fit; they stand at 2^32 - 1
+  std::vector<BrickStore> workers;   ///< of other threads, empty after deposit()
+  std::uint32_t saturatedCells = 0;  ///< cells clamped to 2^32 - 1
 
-  /// Nothing was deposited.
+  /// Whether nothing was deposited.
   bool empty() const { return lower.x > upper.x; }
   /// Slices along X between the first and the last that hold hair, at most `cells`.
   int depth() const;
-  /// The hair is larger than the grid: its ends share cells. Take more or larger cells.
+  /// Whether the hair is larger than the grid, so that its ends share cells. Use more or larger
+  /// cells.
   bool aliased() const;
-  /// Memory of what it holds. Room for more of it, and for what other threads write, is kept beside
-  /// that: at most four times as much again, and as much a thread.
+  /// Memory of its contents. Spare capacity adds at most four times as much, and as much again for
+  /// each other thread.
   std::size_t bytes() const { return bricks.bytes(); }
 
-  /// An index folded into [0, cells).
+  /// An index modulo cells, in [0, cells).
   int wrap(int i) const {
     const int n = settings.cells;
-    // The hair is hardly ever farther than one grid from its anchor: no division then.
+    // Hair is rarely more than one grid from its anchor: avoid the division.
     i += i < 0 ? n : 0;
     i -= i >= n ? n : 0;
     if (static_cast<unsigned>(i) < static_cast<unsigned>(n)) return i;
-    // One turn off is the common case, and a division is slow.
+    // One more wrap, still without division.
     if (static_cast<unsigned>(i - n) < static_cast<unsigned>(n)) return i - n;
     if (static_cast<unsigned>(i + n) < static_cast<unsigned>(n)) return i + n;
     i %= n;
@@ -89,7 +89,7 @@ struct DensityGrid {
   glm::ivec3 wrap(glm::ivec3 cell) const {
     return {wrap(frame.base.x + cell.x), wrap(frame.base.y + cell.y), wrap(frame.base.z + cell.z)};
   }
-  /// What was deposited in an unwrapped cell, times `quantum`.
+  /// Count of an unwrapped cell; times `quantum` it is the deposited amount.
   std::uint32_t count(glm::ivec3 cell) const { return bricks.count(wrap(cell)); }
 
   /// The unwrapped cell of a point.
@@ -97,15 +97,15 @@ struct DensityGrid {
     const glm::vec3 u = frame.cellCoordinates(p);
     return {floorToInt(u.x), floorToInt(u.y), floorToInt(u.z)};
   }
-  /// The point at the middle of an unwrapped cell.
+  /// Centre of an unwrapped cell.
   glm::vec3 cellCentre(glm::ivec3 cell) const { return frame.point(glm::vec3(cell) + 0.5f); }
   /// Density of an unwrapped cell, amount per m³: metres of hair per m³ where length was deposited.
-  /// 0 off the hair. In a curved grid all cells count as large as at the pivot.
+  /// 0 outside the bounds of the hair. A curved grid uses the cell volume at the pivot.
   float density(glm::ivec3 cell) const;
 };
 
-/// Forgets what was deposited, and sets axes and settings for what comes. Keeps its memory as long
-/// as the number of cells stays. Throws Error for settings out of range.
+/// Empties the grid, and sets its axes and settings. Keeps its memory if the number of cells is
+/// unchanged. Throws Error for settings out of range.
 void clear(DensityGrid& grid, const DensityGridSettings& settings, const GridSpace& space = {});
 
 /// Density at a point, trilinear between cell centres, and its gradient.
@@ -113,7 +113,7 @@ struct DensitySample {
   float density = 0;      ///< as DensityGrid::density
   glm::vec3 gradient{0};  ///< per metre, in world axes; in a curved grid, as if it were straight
 };
-/// At a point in metres; 0 off the hair.
+/// At a point in metres; 0 away from the hair.
 DensitySample sampleDensity(const DensityGrid& grid, glm::vec3 p);
 
 }  // namespace hair

@@ -43,7 +43,7 @@ float toFloat(double amount) {
   return static_cast<float>(std::min(amount, double{std::numeric_limits<float>::max()}));
 }
 
-/// What one point of Deposit::Points is worth.
+/// Amount per point for Deposit::Points.
 float pointQuantum(StrandView strands, std::uint32_t stride, const SegmentMeasure& measure) {
   if (measure.perPoint > 0) return measure.perPoint;
   // Over all directions the sine of the angle to an axis is pi / 4 on average.
@@ -51,8 +51,7 @@ float pointQuantum(StrandView strands, std::uint32_t stride, const SegmentMeasur
   return metresPerPoint(strands, stride) * part * toFloat(measure.perMetre);
 }
 
-/// How long one thread takes for a point, in nanoseconds, roughly: what decides whether there is
-/// work enough for another one.
+/// Estimated time for a point on one thread, nanoseconds; limits the number of threads.
 std::size_t costOfPoint(Deposit how) {
   switch (how) {
     case Deposit::Points:

@@ -9,22 +9,23 @@
 
 namespace HAIR_API hair {
 
-/// What is summed up in the cells of a grid: an amount for each metre of a segment.
+/// The quantity that a grid accumulates, as an amount per metre of a segment.
 struct SegmentMeasure {
-  /// Of what a segment adds an amount a metre.
+  /// The length that the amount is proportional to.
   enum class Of : std::uint8_t {
-    Length,   ///< of its length
-    AcrossX,  ///< of its part across the grid's X axis; in a curved grid times the magnification
-              ///< (CellFrame), as things look larger from the focus
+    Length,   ///< the segment's length
+    AcrossX,  ///< its projection across the grid's X axis; in a curved grid times the
+              ///< magnification (CellFrame), because nearer to the focus it subtends more
   };
-  Of of = Of::Length;   ///< what the amount is of
-  double perMetre = 1;  ///< amount, of whatever unit, >= 0; of strands that are read
-  /// Deposit::Points: the amount that a point adds, >= 0. 0: as much as segments do that are as
-  /// long as the strands' are on average, in all directions alike.
+  Of of = Of::Length;   ///< see Of
+  double perMetre = 1;  ///< amount per metre, any unit, >= 0
+  /// Deposit::Points: amount per point, >= 0. 0: that of the strands' mean length per point, for
+  /// uniformly distributed directions.
   float perPoint = 0;
 };
 
-/// Metres of hair, for strands that stand for so many hairs each: the measure of self-collision.
+/// Metres of hair, for strands that represent `hairsPerStrand` hairs: the measure of
+/// self-collision.
 inline SegmentMeasure metresOfHair(float hairsPerStrand = 1) {
   return {SegmentMeasure::Of::Length, static_cast<double>(hairsPerStrand)};
 }
@@ -32,19 +33,19 @@ inline SegmentMeasure metresOfHair(float hairsPerStrand = 1) {
 /// Adds strands to a cleared grid (Bertails et al. 2005, section 3.1), on all threads; the counts
 /// are integers, so the result has the same bits for any number of threads.
 ///
-/// Only every strandStride-th strand is read, and counts for that many (1 to 2^30 - 1). `weights`:
-/// [strandCount], [0, 1], what share of its amount each strand adds, or empty: all of it;
-/// Deposit::Points, which counts whole points, takes no notice of them.
+/// Splats every strandStride-th strand, weighted by strandStride (1 to 2^30 - 1). `weights`:
+/// [strandCount], [0, 1], scales the amount of each strand; empty: 1. Deposit::Points counts whole
+/// points and ignores them.
 ///
-/// Adds nothing silently wrong: grid.saturatedCells counts the cells whose sum did not fit, and
-/// grid.aliased() says whether the hair is larger than the grid. May be called again to add more;
-/// with Deposit::Points all of it counts as the points of the first call did. Throws Error for a
-/// grid that was never cleared, and arguments out of range.
+/// Reports overflow: grid.saturatedCells counts saturated cells, and grid.aliased() tells whether
+/// the hair is larger than the grid. May be called again to add more; Deposit::Points then uses the
+/// amount per point of the first call. Throws Error for a grid that was never cleared, and
+/// arguments out of range.
 void deposit(StrandView strands, const SegmentMeasure& measure, DensityGrid& grid,
              std::uint32_t strandStride = 1, std::span<const float> weights = {});
 
-/// Metres of strand that a point stands for, of every strandStride-th strand: the mean over at most
-/// 256 of them. 0 for no points.
+/// Mean length of strand per point, metres, of at most 256 of every strandStride-th strand. 0 for
+/// no points.
 float metresPerPoint(StrandView strands, std::uint32_t strandStride = 1);
 
 }  // namespace hair

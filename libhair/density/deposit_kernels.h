@@ -10,13 +10,13 @@
 
 namespace hair {
 
-// Sixteen points or segments at a time, on whatever vectors the CPU has. The counts are those of
-// one after the other, on every CPU.
+// Kernels for sixteen points or segments at a time, on the CPU's vectors. Counts are bit-identical
+// to the scalar code, on every CPU.
 
-/// Counts below this are added many at a time.
+/// Counts below this are added in vectors.
 inline constexpr std::uint32_t kManyCounts = 0x40000000u;
 
-/// Strands begin · stride, (begin + 1) · stride ... to (end - 1) · stride.
+/// Strands begin · stride, (begin + 1) · stride, ..., (end - 1) · stride.
 struct StrandRange {
   std::size_t begin, end;
   std::uint32_t stride;
@@ -26,7 +26,7 @@ struct StrandRange {
 /// Adds `stride`, below kManyCounts, to the cell of each point.
 void writePoints(StrandView strands, StrandRange range, CellWriter& writer);
 
-/// Deposit::Columns. A segment that is longer than `longest` cells stays whole in its first cell.
+/// Deposit::Columns. A segment longer than `longest` cells goes into its first cell undivided.
 void writeColumns(StrandView strands, StrandRange range, const SegmentScale& scale, float longest,
                   CellWriter& writer);
 
@@ -34,7 +34,7 @@ void writeColumns(StrandView strands, StrandRange range, const SegmentScale& sca
 void writeCounts(const int* x, const int* y, const int* z, const std::uint32_t* counts,
                  std::size_t size, CellWriter& writer);
 
-/// Length of every step-th strand, summed up; metres.
+/// Total length of every step-th strand, metres.
 double sumOfLengths(StrandView strands, std::size_t step);
 
 }  // namespace hair

@@ -12,20 +12,20 @@
 
 namespace hair {
 
-// What one segment leaves in the grid, one after the other: the walk of Deposit::Segments, and what
-// the kernel of Deposit::Columns does sixteen at a time.
+// Scalar splatting of one segment: the traversal of Deposit::Segments, and the reference for the
+// kernel of Deposit::Columns, which handles sixteen at a time.
 
 inline std::uint32_t toCount(float amount) {
   return amount >= 4294967040.0f ? kFull
                                  : static_cast<std::uint32_t>(static_cast<std::int64_t>(amount));
 }
 
-/// Rounds the amounts of one strand to counts, handing what rounding took or gave on to the next:
-/// a strand's sum is right to half a count, and 2^-17 a segment, however many segments it has. What
-/// is handed on is an integer, of 2^-16 counts: it does not depend on how sums are cut.
+/// Rounds the amounts of one strand to counts and carries the rounding error to the next: a
+/// strand's sum is exact to half a count plus 2^-17 a segment. The carry is an integer, in units of
+/// 2^-16 counts, so it does not depend on the order of sums.
 class Rounder {
  public:
-  /// Amounts from here on are counts of their own, and hand nothing on.
+  /// Amounts of at least this are converted without carry.
   static constexpr float kWhole = 0x1p30f;
 
   std::uint32_t take(float amount) {
@@ -35,7 +35,7 @@ class Rounder {
     // As the lanes round, which have no lround. NOLINTNEXTLINE(bugprone-incorrect-roundings)
     return take(whole, static_cast<std::int32_t>(rest + 0.5f));
   }
-  /// Of an amount that is taken apart: whole counts, and parts of 2^-16.
+  /// An amount split in whole counts and parts of 2^-16.
   std::uint32_t take(std::int32_t whole, std::int32_t part) {
     rest_ += static_cast<std::uint32_t>(part);
     const std::uint32_t count = static_cast<std::uint32_t>(whole) + (rest_ >> 16);
@@ -47,8 +47,7 @@ class Rounder {
   std::uint32_t rest_ = 0x8000u;
 };
 
-/// What a segment adds per cell that it advances, in counts: SegmentMeasure in the grid's own
-/// coordinates.
+/// Counts that a segment adds per cell of its length: SegmentMeasure in cell coordinates.
 struct SegmentScale {
   SegmentMeasure::Of of;
   float perCell;
@@ -64,21 +63,22 @@ struct SegmentScale {
   }
 };
 
-/// Longer than the grid: the grid is aliased, and will say so; don't walk a billion cells.
+/// Whether a segment is longer than the grid. The grid then reports aliasing; skip the traversal,
+/// which could cross a billion cells.
 inline bool longerThan(float longest, glm::vec3 a, glm::vec3 b) {
   const glm::vec3 d = b - a;
   return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > longest;
 }
 
-/// Walks the cells between two points, all in unwrapped cell coordinates, and leaves in each the
-/// part of `count` that lies inside. Amanatides and Woo 1987. What falls into the last cell is kept
-/// in `pending`, because the next segment most often goes on there.
+/// Traverses the cells between two points in unwrapped cell coordinates (Amanatides and Woo 1987)
+/// and adds to each its share of `count`. The share of the last cell stays in `pending`, because
+/// the next segment usually starts there.
 template <class Writer>
 void depositSegment(glm::vec3 a, glm::vec3 b, std::uint32_t count, glm::ivec3& cell,
                     glm::ivec3 last, std::uint32_t& pending, Writer& writer) {
   AxisWalk x(a.x, b.x, cell.x, last.x), y(a.y, b.y, cell.y, last.y), z(a.z, b.z, cell.z, last.z);
   const auto whole = static_cast<float>(count);
-  std::uint32_t left = 0;  // behind us
+  std::uint32_t left = 0;  // counts already distributed
   for (int walls = x.left + y.left + z.left; walls > 0; --walls) {
     const float wall = std::min(std::min(x.next, y.next), z.next);
     // Differences of a rounded running sum: the parts add up to the count.
@@ -96,19 +96,19 @@ void depositSegment(glm::vec3 a, glm::vec3 b, std::uint32_t count, glm::ivec3& c
   pending = addSaturating(pending, count - left);
 }
 
-/// As depositSegment, but cut only where the segment leaves a column of cells; a piece is left
-/// whole at the depth of its middle. A piece that is long in depth covers little of its column.
+/// As depositSegment, but clips the segment only to columns of cells and splits each piece between
+/// the two slices nearest to its middle. A piece long in depth covers little of its column.
 template <class Writer>
 void depositColumns(glm::vec3 a, glm::vec3 b, std::uint32_t count, float longest, Writer& writer) {
   glm::ivec3 cell = floorToCell(a);
   if (longerThan(longest, a, b)) return writer.add(cell, count);
   const glm::ivec3 last = floorToCell(b);
   AxisWalk y(a.y, b.y, cell.y, last.y), z(a.z, b.z, cell.z, last.z);
-  // No number where a denormal way has no reciprocal.
+  // max replaces the NaN of a denormal distance, whose reciprocal is infinite.
   y.next = std::max(0.0f, y.next), z.next = std::max(0.0f, z.next);
   const auto whole = static_cast<float>(count);
   const float middle = 0.5f * (b.x - a.x);
-  // Between the two nearest slices, so that nothing jumps as hair or grid move.
+  // Split between the two nearest slices, so that counts change continuously with the motion.
   const auto leave = [&](glm::ivec3 in, float depth, std::uint32_t amount) {
     const float x = depth - 0.5f;
     in.x = floorToInt(x);
