@@ -28,10 +28,10 @@ DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& li
   DensityMapSettings settings;
   settings.filter = Filter::Footprint;
   settings.footprint = footprint;
-  // The filter reads beyond the hair's bounds, and must not meet their other side there.
+  // The filter reads beyond the hair's bounds, and must not wrap around to their other side.
   constexpr float kMargin = 6;
-  // Half the footprint is accurate enough. Where that leaves few cells, and they cost little, up to
-  // three to a footprint are better still.
+  // Two cells a footprint are accurate enough; up to three are more accurate, and cheap where the
+  // footprint is large.
   const float cell = std::clamp(1.5e-3f, footprint / 3, footprint / 2);
   settings.cellSize = std::max(cell, extent / (kMostCells - kMargin));
   settings.cells =

@@ -7,13 +7,12 @@
 
 namespace HAIR_API hair {
 
-/// The longest side of the hair's box as a map under that light has it: metres (at the pivot of a
-/// light at a point). 0 for no hair.
+/// Longest side of the hair's bounding box in the axes of a map of that light, metres (at the pivot
+/// of a point light). 0 for no hair.
 float extentSeen(StrandView strands, const LightSpace& light);
 
-/// Settings of the density map for shadows averaged over a disc of radius `footprint` (metres, >
-/// 0), as measurement chose them (docs/measurements.md). Reads the strands' extent under that
-/// light.
+/// Density map settings for shadows averaged over a disc of radius `footprint` (metres, > 0),
+/// fitted to the strands' extent under that light. Chosen by measurement (docs/measurements.md).
 DensityMapSettings automaticMapSettings(StrandView strands, const LightSpace& light,
                                         float footprint);
 

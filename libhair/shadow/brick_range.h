@@ -7,7 +7,7 @@
 
 namespace hair {
 
-/// Bricks of an axis that follow each other, and go on with the first one behind the last.
+/// Consecutive bricks along an axis, wrapping from the last to the first.
 struct BrickRange {
   int begin, count, perAxis;
 
@@ -16,14 +16,14 @@ struct BrickRange {
   }
 };
 
-/// The bricks across the light (axis 1 or 2) that a filter may read: those of the hair, and of what
-/// a footprint that meets the hair covers beside it, 2 · 10 + 2 cells at most.
+/// Bricks across the light (axis 1 or 2) that a filter may read: the hair's, plus a margin for
+/// footprints that overlap the hair, 2 · 10 + 2 cells at most.
 inline BrickRange bricksToRead(const DensityGrid& grid, int axis) {
   constexpr int kBeside = 24;
   const int perAxis = grid.bricks.perAxis()[axis];
   const int size = axis == 1 ? brick::kY : brick::kZ;
   const std::int64_t cells = std::int64_t{grid.upper[axis]} - grid.lower[axis] + 1 + 2 * kBeside;
-  // No brick may be met twice.
+  // No brick may occur twice.
   if (grid.empty() || cells + size > grid.settings.cells) return {0, perAxis, perAxis};
   const int base = grid.frame.base[axis];
   const int first = grid.wrap(base + grid.lower[axis] - kBeside) / size;

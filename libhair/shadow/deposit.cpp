@@ -15,7 +15,7 @@ float depthOfPoint(StrandView strands, std::uint32_t stride, const Fibre& fibre,
                    const DensityMapSettings& settings) {
   const float ds = settings.cellSize;
   if (settings.pointExtinction > 0) return settings.pointExtinction * ds;
-  // Over all directions the sine of the angle to the light is pi / 4 on average.
+  // Mean sine of the angle to the light over all directions: pi / 4.
   constexpr float kMeanSine = 0.785398163f;
   return metresPerPoint(strands, stride) * kMeanSine * fibre.width * fibre.hairsPerStrand *
          fibre.opacity / (ds * ds);

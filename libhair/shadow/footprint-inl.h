@@ -13,15 +13,15 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-/// Integral of the tent up to t.
+/// Integral of the tent function from -1 to t.
 HWY_INLINE Floats tentBelow(Floats t) {
   t = min(max(t, Floats(-1.0f)), Floats(1.0f));
   const Floats rise = t + 1.0f, fall = 1.0f - t;
   return select(t < Floats(0.0f), 0.5f * rise * rise, 1.0f - 0.5f * fall * fall);
 }
 
-/// Weights of the cells whose centres are `t` cells from the point: the mean over the kernel's box
-/// of what linear interpolation gives each.
+/// Weights of cells whose centres are `t` cells from the point: linear interpolation averaged over
+/// the kernel's box.
 HWY_INLINE Floats footprintWeights(const FootprintKernel& kernel, Floats t) {
   const float h = kernel.halfWidth;
   return (0.5f / h) * (tentBelow(t + h) - tentBelow(t - h));

@@ -7,15 +7,15 @@
 
 namespace hair {
 
-/// The kernel of Filter::Footprint, an axis at a time, in cells.
+/// The separable kernel of Filter::Footprint, along one axis, in cells.
 ///
-/// Wanted is the mean over a disc of radius R, which has the variance R²/4 along each axis. A box
-/// of half-width h has h²/3; the deposit has smeared the hair over a box of one cell already
-/// (variance 1/12), and values are linear between cell centres (a tent, 1/6):
+/// The target is the mean over a disc of radius R, of variance R²/4 along each axis. A box of
+/// half-width h has h²/3; splatting has blurred the hair by a box of one cell (variance 1/12), and
+/// values are linear between cell centres (a tent, 1/6):
 ///
 ///   h²/3 + 1/6 + 1/12 = R²/4
 ///
-/// Its square of side 2h has nearly the disc's area, and being a product it costs a row of weights
+/// The square of side 2h has nearly the disc's area, and being separable needs a row of weights
 /// instead of a table.
 struct FootprintKernel {
   float halfWidth;  ///< h, cells; > 0
@@ -26,18 +26,18 @@ struct FootprintKernel {
     halfWidth = std::sqrt(std::max(3 * (0.25f * radius * radius - 1.0f / 6 - 1.0f / 12), 1e-4f));
   }
 
-  /// Of all that stands on a line through the point, as seen across the light, the share in an area
-  /// of one cell: the mean over the line's directions. (1 / this: the kernel's width.)
+  /// Kernel weight per cell along a line through the point, in the plane across the light, averaged
+  /// over the line's directions. (1 / this: the kernel's mean width.)
   float onALine() const {
-    // The whole kernel at its middle, where the line is along an axis: the mean of the smeared
-    // tent, a spline of order 3, over the box.
+    // For a line along an axis: the full kernel at its centre, which is the mean over the box of
+    // the blurred tent, a spline of order 3.
     const float h = halfWidth;
     const auto order3 = [](float t) {
       return t < 0.5f ? 0.75f * t - t * t * t / 3 : 0.5f - cube(std::max(1.5f - t, 0.0f)) / 6;
     };
     const float along = order3(h) / h;
-    // A square's chord through its middle is longer, on average over directions, than its side by
-    // 4/pi · ln(1 + sqrt 2); a round kernel's is not. The smearing makes a small box round.
+    // Averaged over directions, a square's chord through its centre is 4/pi · ln(1 + sqrt 2) times
+    // its side; a round kernel needs no such factor. Blur makes a small box round.
     const float square = h > 1 ? 1.122f : 1 + 0.122f * h;
     return along * square;
   }

@@ -27,7 +27,7 @@ std::size_t at(const LiteralMap& map, int i, int j, int k) {
          static_cast<std::size_t>(k);
 }
 
-/// Equation 3: what leaves an unwrapped cell through its back face.
+/// Equation 3: transmittance at the back face of an unwrapped cell.
 double leaving(const DensityGrid& grid, glm::ivec3 cell) {
   double depth = 0;
   const bool beside = cell.y < grid.lower.y || cell.y > grid.upper.y || cell.z < grid.lower.z ||
@@ -37,13 +37,13 @@ double leaving(const DensityGrid& grid, glm::ivec3 cell) {
   return std::exp(-depth);
 }
 
-/// What gets to depth x of a column: linear between the front and the back face of its cell.
+/// Transmittance at depth x of a column: linear between front and back face of its cell.
 double reaching(const DensityGrid& grid, double x, int j, int k) {
   const int i = static_cast<int>(std::floor(x));
   return std::lerp(leaving(grid, {i - 1, j, k}), leaving(grid, {i, j, k}), x - i);
 }
 
-/// Filters of section 3.3: linear across the light, where the value of cell j, k stands at
+/// Filters of section 3.3: linear across the light, with the value of cell j, k located at
 /// (j + shift, k + shift).
 double linear(const DensityGrid& grid, glm::dvec3 u, double shift) {
   const double y = u.y - shift, z = u.z - shift;
@@ -54,14 +54,14 @@ double linear(const DensityGrid& grid, glm::dvec3 u, double shift) {
   return std::lerp(row(k), row(k + 1), z - k);
 }
 
-/// Integral of the tent of half-width 1 up to t.
+/// Integral of the tent function of half-width 1, from -1 to t.
 double tentBelow(double t) {
   t = std::clamp(t, -1.0, 1.0);
   return t < 0 ? 0.5 * (1 + t) * (1 + t) : 1 - 0.5 * (1 - t) * (1 - t);
 }
 
-/// Filter::Footprint: the mean over a square of side 2 h (FootprintKernel) of what `linear` between
-/// cell centres gives, one cell after the other.
+/// Filter::Footprint: the mean of `linear` between cell centres over a square of side 2 h
+/// (FootprintKernel), as a sum over cells.
 double footprint(const DensityGrid& grid, glm::dvec3 u, double h) {
   const auto weight = [h](double from, int cell) {
     const double t = from - (cell + 0.5);

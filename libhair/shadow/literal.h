@@ -12,10 +12,10 @@
 namespace HAIR_API hair {
 namespace literal {
 
-/// Section 3 of Bertails et al. 2005 written down as it stands: one thread, one float a cell, whole
-/// columns one after another, std::exp per cell, the paper's filter. Slow; kept as the reference
-/// that the fast passes are tested against and measured against. Only the mapping of points to
-/// cells (CellFrame) is shared with them, so that both round a point into the same cell.
+/// Direct implementation of section 3 of Bertails et al. 2005: one thread, a dense grid of floats,
+/// std::exp per cell, the paper's filter. Slow; the reference for tests and timings of the fast
+/// passes. Only the mapping of points to cells (CellFrame) is shared with them, so that both round
+/// a point into the same cell.
 struct LiteralMap {
   int cells = 128;                   ///< NCELLS
   float cellSize = 7.5e-3f;          ///< ds, metres
@@ -32,15 +32,14 @@ void fillDensity(std::span<const glm::vec3> points, const LightSpace& light, Lit
 /// Section 3.2, equation 3.
 void computeTransmittance(LiteralMap& map);
 
-/// Section 3.3: Trans^f at every point. A neighbour in front of i_min is light, 1 (the paper does
-/// not say; the modulo would read the slice farthest from the light).
+/// Section 3.3: Trans^f at every point. Cells in front of i_min are 1 (unspecified in the paper;
+/// the modulo would read the slice farthest from the light).
 void filterTransmittance(const LiteralMap& map, std::span<const glm::vec3> points,
                          std::span<float> out);
 
-/// Transmittance at one point of a map that strands were deposited in, by the map's own filter,
-/// from the counts of its grid alone: equation 3 for each cell, in double, then a plain sum of
-/// weights times cells. computeTransmittance() need not be called. What sampleTransmittance is
-/// tested against. For a map that is not aliased.
+/// Reference for sampleTransmittance: transmittance at one point by the map's filter, from the
+/// counts of its grid alone: equation 3 for each cell, in double, then a weighted sum over cells.
+/// computeTransmittance() need not be called. The map must not be aliased.
 double transmittance(const DensityMap& map, glm::vec3 p);
 
 }  // namespace literal

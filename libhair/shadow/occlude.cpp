@@ -11,11 +11,11 @@ namespace hair {
 
 namespace {
 
-// exp(-90) is below what the map can tell from nothing.
+// exp(-90) is 0 within the precision of the map.
 constexpr float kOpaque = 90;
 
-/// A box in the map's cells, of a thing inside a sphere. Under a light at a point the sphere's
-/// farthest points bend outwards: its image is taken at many points and widened.
+/// Bounds in cells of an object inside a sphere. Under a point light the mapping is curved: sample
+/// the sphere, widened by 2 %, at many points.
 struct CellBox {
   glm::ivec3 lower, upper;
 };
@@ -33,24 +33,24 @@ CellBox cellBox(const CellFrame& frame, glm::vec3 centre, float radius) {
   return {floorToCell(box.lower), floorToCell(box.upper)};
 }
 
-/// What of a box the map has room for beside the hair: things farther away, a leg or a lamp's own
-/// surroundings, must not come round by the modulo.
+/// Clips a box to the cells that do not wrap around onto the hair, so that distant objects (a leg,
+/// things next to a lamp) do not alias.
 CellBox roomFor(CellBox box, const DensityGrid& grid) {
   const int n = grid.settings.cells;
   const glm::ivec3 middle = (box.lower + box.upper) / 2;
   for (int c = 0; c < 3; ++c) {
     const int least = grid.empty() ? middle[c] - n / 2 : grid.upper[c] - n + 1;
     const int most = grid.empty() ? least + n - 1 : grid.lower[c] + n - 1;
-    // In front of the map it shadows all the same: it is filled in at the first slice there is.
+    // Objects in front of the map cast shadows too: they are moved to its first slice.
     if (c > 0) box.lower[c] = std::max(box.lower[c], least);
     box.upper[c] = std::min({box.upper[c], most, std::max(box.lower[c], least) + n - 1});
   }
-  // Behind all hair there is nothing to shadow.
+  // Nothing behind all hair can shadow it.
   if (!grid.empty()) box.upper.x = std::min(box.upper.x, grid.upper.x);
   return box;
 }
 
-/// distance(p): metres to the thing, negative inside, never more than the true distance.
+/// distance(p): signed distance, metres, negative inside, at most the true distance.
 template <class Distance>
 void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMap& map) {
   DensityGrid& grid = map.grid;
@@ -72,7 +72,7 @@ void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMa
   if (glm::any(glm::greaterThan(box.lower, box.upper))) return;
   map.lit = false;
   const auto rows = static_cast<std::size_t>(box.upper.z - box.lower.z) + 1;
-  // A few steps to a column, each of some tens of nanoseconds.
+  // A few steps a column, of some tens of nanoseconds each.
   const std::size_t nanoseconds =
       rows * (static_cast<std::size_t>(box.upper.y - box.lower.y) + 1) * 100;
   writeCells(rows, 4, nanoseconds, grid,

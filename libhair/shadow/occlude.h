@@ -10,20 +10,18 @@
 
 namespace HAIR_API hair {
 
-/// Puts opaque things into the same map as the hair (Bertails et al. 2005, section 6): all that is
-/// behind them is dark. After deposit(), before computeTransmittance().
+/// Rasterises an opaque object into the map of the hair (Bertails et al. 2005, section 6); all
+/// behind it is in shadow. Call after deposit() and before computeTransmittance().
 ///
-/// In each column of cells only the first one inside is filled; the light ends there. It is filled
-/// where the middle of its front face is at least half a cell inside, so that hair on the lit side
-/// is not shadowed by the skin that it lies on. The shadow then begins up to two cells below the
-/// skin, and is smaller than the thing by about half a cell all around: things thinner than two
-/// cells throw none, and finer contact shadows need a finer map. Along its outline, as the light
-/// sees it, a shadow is as soft as the map's filter is wide.
+/// Fills one cell of each column: the first whose front face's centre is at least half a cell
+/// inside the object, so that skin does not shadow the hair that lies on it. The shadow starts up
+/// to two cells below the surface and is about half a cell smaller all around: objects thinner than
+/// two cells cast none, and finer contact shadows need a finer map. Shadow edges are as soft as the
+/// map's filter is wide.
 ///
-/// Costs a walk along each column through the thing's bounds, in steps as long as the distance to
-/// it.
+/// Sphere-traces each column through the object's bounds.
 void occlude(const MeshSdf& mesh, const RigidTransform& worldFromMesh, DensityMap& map);
-/// The same for a body.
+/// The same for the capsules of a body.
 void occlude(std::span<const Capsule> capsules, DensityMap& map);
 
 }  // namespace hair
