@@ -14,26 +14,26 @@
 
 namespace HAIR_API hair {
 
-/// How hair looks: the settings of any of the models that there are. Each is a file of this folder,
-/// which has `validate` and `shadeStrands` for its settings (kajiya_kay.h); a new one is named here
-/// and nowhere else in the pipeline.
+/// Settings of a reflectance model. Each model is a file of this folder with `validate` and
+/// `shadeStrands` for its settings (kajiya_kay.h). Add a new one here; the rest of the pipeline
+/// does not name models.
 using Appearance = std::variant<KajiyaKaySettings>;
 
 /// Throws Error for a setting out of its range, by name.
 void validate(const Appearance& appearance);
 
-/// Light that leaves all points towards the eye.
-/// `radiance`: [pointCount] linear RGB, >= 0, without an upper end; or empty: it is not kept.
-/// `colours`: [pointCount] what encodeSrgb makes of it, the same bits; or empty: no bytes are made.
-/// Both at once, and bytes alone, cost less than a pass over radiance afterwards would.
-/// Everything is linear in the lights: radiance under one alone and another alone add up, less what
-/// ambient light makes.
+/// Computes the radiance of all points towards the eye.
+/// `radiance`: [pointCount] linear RGB, >= 0, unbounded; or empty: not stored.
+/// `colours`: [pointCount] sRGB bytes, bit-identical to encodeSrgb; or empty: not computed.
+/// Both at once, or bytes alone, cost less than a separate encoding pass.
+/// Radiance is linear in the lights: results under single lights add up, except that each includes
+/// the ambient term.
 /// Same bits on every instruction set, for any number of threads, and for strands alone. Throws
 /// Error where arrays do not fit, and as `validate` of both arguments does.
 void shade(StrandView strands, const Illumination& illumination, const Appearance& appearance,
            std::span<glm::vec3> radiance, std::span<std::uint32_t> colours = {});
 
-/// Strands begin to end alone, on the calling thread; all arrays as above, [pointCount].
+/// Only strands begin to end - 1, on the calling thread; arrays as above, [pointCount].
 void shade(StrandView strands, std::size_t begin, std::size_t end, const Illumination& illumination,
            const Appearance& appearance, std::span<glm::vec3> radiance,
            std::span<std::uint32_t> colours = {});

@@ -1,4 +1,4 @@
-// Sixteen points from linear radiance to where ShadedPoints says; included by kernels once per
+// Writes linear radiance of sixteen points to ShadedPoints. Included by kernels once per
 // instruction set (simd-inl.h), so it has no `#pragma once`.
 #if defined(HAIR_SHADE_ENCODE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_SHADE_ENCODE_INL_H
@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-/// SrgbTable of sixteen values; `bytes` is the table's.
+/// SrgbTable::operator() of sixteen values; `bytes`: SrgbTable::bytes().
 HWY_INLINE Ints srgbByte(const std::int32_t* bytes, Floats linear) {
   const Floats least(SrgbTable::kLeast), one(1.0f);
   const Floats x = select(linear > least, min(linear, one), least);
@@ -32,13 +32,13 @@ HWY_INLINE Ints srgbColour(const std::int32_t* bytes, Vec3 radiance) {
          shiftLeft<16>(srgbByte(bytes, radiance.z)) | Ints(static_cast<std::int32_t>(0xff000000u));
 }
 
-/// What a kernel writes its points with.
+/// Writes the points of a kernel.
 struct PointWriter {
   ShadedPoints out;
   const std::int32_t* bytes = SrgbTable::get().bytes();
 
-  /// Points p to p + n, of the first n lanes. Radiance is encoded while it is in registers: no byte
-  /// is made of a rounded or an earlier value, and none costs a pass of its own.
+  /// Points p to p + n - 1, from the first n lanes. Encodes radiance while it is in registers,
+  /// which saves a pass.
   HWY_INLINE void put(Vec3 radiance, std::size_t p, std::size_t n) const {
     if (out.radiance) {
       if (n == kLanes) {

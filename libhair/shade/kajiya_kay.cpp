@@ -14,9 +14,9 @@ namespace hair {
 namespace HWY_NAMESPACE {
 
 constexpr std::size_t kBatch = 64;
-constexpr float kNearest = 0.01f;  // no light is smaller: closer to one it grows no brighter
+constexpr float kNearest = 0.01f;  // metres; the falloff is clamped at this distance
 
-// x^y for x in [0, 1]: by squaring where y is a whole number, as it most often is.
+// x^y for x in [0, 1]; by squaring for integer y, the usual case.
 HWY_INLINE Floats power(Floats x, float y) {
   const auto whole = static_cast<std::uint32_t>(std::min(std::max(y, 0.0f), 1024.0f));
   if (static_cast<float>(whole) != y) return powApproximate(x, Floats(y));
@@ -26,16 +26,16 @@ HWY_INLINE Floats power(Floats x, float y) {
   return p;
 }
 
-// Points waiting to be shaded, one after another whatever strands they are of.
+// Consecutive points waiting to be shaded, across strand boundaries.
 struct Batch {
   float red[kBatch + kLanes], green[kBatch + kLanes], blue[kBatch + kLanes];  // of the hair
-  std::uint64_t roots = 0, tips = 0;  // bit i: point i is the first, the last of its strand
-  std::size_t first = 0;              // the first of them among all points
+  std::uint64_t roots = 0, tips = 0;  // bit i: point i is the first (the last) of its strand
+  std::size_t first = 0;              // index of the first point
   std::size_t count = 0;
 };
 
-// Sixteen points, and how light leaves them. Sums over the lights: what the hair's colour
-// multiplies, and what is reflected as it came.
+// Sixteen points and their reflected light, summed over the lights: the part that the hair's colour
+// multiplies, and the part that keeps the light's colour.
 struct Points {
   Vec3 here, toEye, tangent;
   Floats tangent2, perTangent, cosB, sinB;
@@ -59,7 +59,7 @@ struct Shader {
         cosSecond(std::cos(look.secondShift)),
         sinSecond(std::sin(look.secondShift)) {}
 
-  // Values `at` to at + n of an array, which may end there.
+  // n values, copied to a padded array unless they fill the lanes: the source may end there.
   template <class T>
   static HWY_INLINE const T* padded(const T* from, std::size_t n, T (&room)[kLanes]) {
     if (n == kLanes) return from;
@@ -68,7 +68,7 @@ struct Shader {
     return room;
   }
 
-  // n points from p on, between those before and after them.
+  // Loads n points from p on, with their neighbours.
   HWY_INLINE void load(std::size_t p, std::size_t n, std::uint64_t roots, std::uint64_t tips,
                        Points& x) const {
     const glm::vec3* from = strands.points.data() + p;
@@ -103,8 +103,8 @@ struct Shader {
   //   diffuse  = k_d · sin a
   //   specular = k_s · cos(pi - a - b)^p      cos(pi - a - b) = sin a sin b - cos a cos b
   //
-  // (Kajiya and Kay 1989): light leaves a fibre on the cone about the tangent that holds the
-  // mirrored ray. A highlight shifted by s has its peak at a + b = pi + s.
+  // (Kajiya and Kay 1989): a fibre reflects light into the cone about its tangent that contains the
+  // mirrored ray. A highlight shifted by s peaks at a + b = pi + s.
   HWY_INLINE void add(const Light& light, Floats full, Points& x) const {
     const Floats least(1e-30f), one(1.0f), zero(0.0f);
     Floats cosA;

@@ -13,36 +13,36 @@
 
 namespace HAIR_API hair {
 
-/// How hair looks (Kajiya and Kay 1989; Bertails et al. 2005, section 3.3). Colours are linear, not
-/// sRGB. Light that leaves a point, summed over the lights l:
+/// The Kajiya-Kay reflectance model (Kajiya and Kay 1989; Bertails et al. 2005, section 3.3).
+/// Colours are linear, not sRGB. Radiance of a point, summed over the lights l:
 ///
 ///   Phi = Phi_ambient + sum_l T_l · V_l · E_l · (Phi_diffuse,l + Phi_specular,l)
 ///
-/// with E_l the light's colour, of a light at a point times (its distance from the pivot / its
-/// distance from the point)², where hair nearer than a centimetre gets what a centimetre would.
-/// Ambient light belongs to no light and is white. A strand of one point has no direction and is
-/// seen in its ambient colour. literal.h has the formula in full.
+/// with E_l the light's colour; for a point light, times (distance of light and pivot / distance of
+/// light and point)², the latter clamped to at least 1 cm. Ambient light is white and independent
+/// of the lights. A strand of one point has no tangent and gets only the ambient term. literal.h
+/// has the full formula.
 struct KajiyaKaySettings {
   glm::vec3 rootColour{0.115f, 0.055f, 0.026f};  ///< at the root
-  glm::vec3 tipColour{0.19f, 0.098f, 0.047f};    ///< in between linear along the strand
-  float variation = 0.25f;  ///< strands are up to this part lighter or darker, [0, 1]
-  float ambient = 0.25f;    ///< of the colour, lit from everywhere by white light
-  float diffuse = 1.0f;     ///< of the colour, times the sine of the angle to the light
-  float specular = 0.16f;   ///< of white, at the peak of the first highlight
+  glm::vec3 tipColour{0.19f, 0.098f, 0.047f};    ///< at the tip; linear along the strand
+  float variation = 0.25f;  ///< strands vary in lightness by up to this fraction, [0, 1]
+  float ambient = 0.25f;    ///< factor of the colour, in white light from all directions
+  float diffuse = 1.0f;     ///< factor of the colour, times the sine of the angle to the light
+  float specular = 0.16f;   ///< factor of white, at the peak of the first highlight
   float exponent = 48.0f;   ///< of the first highlight; larger is narrower
-  /// A second highlight, in the hair's own colour, moved towards the tip, as light that went
-  /// through the fibre leaves it (after Marschner et al. 2003). 0: none, as Kajiya and Kay.
+  /// Second highlight, in the hair's colour, shifted towards the tip, for light transmitted through
+  /// the fibre (after Marschner et al. 2003). 0: none, as in Kajiya and Kay.
   float secondSpecular = 0.6f;
   float secondExponent = 14.0f;  ///< of the second highlight; larger is narrower
-  float firstShift = -0.06f;     ///< radians that the first highlight moves towards the tip
-  float secondShift = 0.12f;     ///< radians that the second one does
+  float firstShift = -0.06f;     ///< shift of the first highlight towards the tip, radians
+  float secondShift = 0.12f;     ///< shift of the second highlight towards the tip, radians
 
-  /// The model of the paper and nothing else: one highlight, unmoved, all strands alike.
+  /// The paper's model alone: one unshifted highlight, no variation.
   static KajiyaKaySettings plain();
 
-  /// Factor of the colours of a strand, the same every time: [1 - variation, 1 + variation].
+  /// Factor of a strand's colours, deterministic: [1 - variation, 1 + variation].
   float lightnessOf(std::uint32_t strand) const {
-    constexpr std::uint32_t kUse = 0x5aade;  // of a random number
+    constexpr std::uint32_t kUse = 0x5aade;  // seed of this use of uniform()
     return 1.0f + variation * (2.0f * uniform(strand, kUse) - 1.0f);
   }
 };
@@ -50,7 +50,8 @@ struct KajiyaKaySettings {
 /// Throws Error that names the field and its range.
 void validate(const KajiyaKaySettings& settings);
 
-/// Strands begin to end, on the calling thread; `shade` (appearance.h) checks and calls it.
+/// Strands begin to end - 1, on the calling thread, without checks; called by `shade`
+/// (appearance.h).
 void shadeStrands(StrandView strands, std::size_t begin, std::size_t end,
                   const Illumination& illumination, const KajiyaKaySettings& settings,
                   ShadedPoints out);

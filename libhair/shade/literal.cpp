@@ -14,7 +14,7 @@ double angleBetween(glm::dvec3 a, glm::dvec3 b) {
                      : std::numbers::pi / 2;
 }
 
-// What would arrive of a light if nothing were in between, and from where.
+// Unoccluded light at a point.
 struct Arriving {
   glm::dvec3 towardsLight;
   glm::dvec3 colour;  // E
@@ -48,8 +48,8 @@ void shade(StrandView strands, const Illumination& illumination, const KajiyaKay
         const auto [towardsLight, E] =
             arrivingAt(illumination.lights[l], here, glm::dvec3(illumination.pivot));
         const double a = angleBetween(tangent, towardsLight);
-        // Light leaves a fibre on the cone about the tangent that holds the mirrored ray, where
-        // a + b = pi; a highlight shifted by s has its peak where a + b = pi + s.
+        // A fibre reflects light into the cone about its tangent that contains the mirrored ray,
+        // where a + b = pi; a highlight shifted by s peaks at a + b = pi + s.
         const auto specular = [&](double strength, double exponent, double shift) {
           const double cosine = std::cos(a + b - std::numbers::pi - shift);
           return strength * std::pow(std::max(cosine, 0.0), exponent);

@@ -12,10 +12,10 @@
 namespace HAIR_API hair {
 namespace literal {
 
-/// Section 3.3 of Bertails et al. 2005, with the second highlight of KajiyaKaySettings, written
-/// down as it stands: angles, one point after another, in double precision, on one thread. Slow;
-/// kept as the formula to read and as the reference that the fast pass is tested against. Only the
-/// lightness of a strand (KajiyaKaySettings::lightnessOf) is shared with it.
+/// Direct implementation of section 3.3 of Bertails et al. 2005, with the second highlight of
+/// KajiyaKaySettings: angles, point by point, in double, on one thread. Slow; read it for the
+/// formula. The reference for tests of the fast pass, with which it shares only the lightness of a
+/// strand (KajiyaKaySettings::lightnessOf).
 /// `radiance`: [pointCount] linear RGB. Arguments are not checked.
 void shade(StrandView strands, const Illumination& illumination, const KajiyaKaySettings& settings,
            std::span<glm::vec3> radiance);

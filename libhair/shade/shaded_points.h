@@ -8,7 +8,7 @@
 
 namespace HAIR_API hair {
 
-/// Where the models of this folder write; encode-inl.h has how. Null: is not made.
+/// Output arrays of the models, written by PointWriter (encode-inl.h). Null: not written.
 struct ShadedPoints {
   glm::vec3* radiance;     ///< [pointCount] linear RGB
   std::uint32_t* colours;  ///< [pointCount] sRGB bytes of the same, opaque

@@ -15,7 +15,7 @@ SrgbTable::SrgbTable() {
   const std::uint32_t start = std::bit_cast<std::uint32_t>(kLeast);
   const int count = kOctaves << kMantissaBits;
   for (int b = 0; b < count; ++b) {
-    // The middle of the range of floats that share these bits.
+    // The middle of the range of floats with these leading bits.
     const auto low = static_cast<std::uint32_t>(b) << (23 - kMantissaBits);
     const float x = std::bit_cast<float>(start + low + (1u << (22 - kMantissaBits)));
     bytes_[b] = static_cast<std::int32_t>(std::lround(255.0f * srgbFromLinear(x)));

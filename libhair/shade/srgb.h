@@ -7,11 +7,11 @@
 
 namespace HAIR_API hair {
 
-/// Linear light to the sRGB byte that shows it (IEC 61966-2-1), by a table of the float's leading
-/// bits. 0 and below gives 0, 1 and above 255; elsewhere within 0.65 of the exact value.
+/// Linear value to sRGB byte (IEC 61966-2-1), by a table indexed with the float's leading bits.
+/// Clamps to [0, 1]; within 0.65 of the exact value.
 class SrgbTable {
  public:
-  /// The one table, made at first use.
+  /// The shared table, built on first use.
   static const SrgbTable& get();
 
   /// The byte for `linear`; NaN gives 0.
@@ -23,21 +23,21 @@ class SrgbTable {
                (23 - kMantissaBits)]);
   }
 
-  /// For those who look up many at once: as operator() does.
+  /// The table, for vectorised look-ups by the indices of operator().
   const std::int32_t* bytes() const { return bytes_; }
-  /// Leading bits of the mantissa that the table tells apart.
+  /// Leading bits of the mantissa in the index.
   static constexpr int kMantissaBits = 9;
-  static constexpr float kLeast = 0x1p-13f;  ///< 0.4 of the step from 0 to 1: shown as 0
+  static constexpr float kLeast = 0x1p-13f;  ///< 0.4 of a byte step: encoded as 0
 
  private:
   SrgbTable();
 
   static constexpr int kOctaves = 13;
-  // As wide as what is gathered.
+  // 32 bits an entry, for gathers.
   std::int32_t bytes_[(kOctaves << kMantissaBits) + 1];
 };
 
-/// The exact curve, [0, 1] to [0, 1].
+/// The exact transfer function, [0, 1] to [0, 1].
 float srgbFromLinear(float linear);
 
 }  // namespace hair
