@@ -10,19 +10,19 @@
 
 namespace HAIR_API hair {
 
-/// A light: what casts shadows and what shading is told of it.
+/// A light, for shadows and shading.
 struct Light {
-  /// Where light comes from.
+  /// Kind of light.
   enum class Kind : std::uint8_t {
     Parallel,  ///< at infinity, as the sun
-    Point,     ///< at a point, as a lamp; falls off with the square of the distance
+    Point,     ///< at a point, as a lamp; inverse-square falloff
   };
 
-  Kind kind = Kind::Parallel;     ///< which of the fields below count
-  glm::vec3 direction{0, -1, 0};  ///< Parallel: the way light travels, any length but zero
-  glm::vec3 position{0, 3, 0};    ///< Point: where it is, metres
-  /// Linear, >= 0. Of a light at a point: what arrives at the *pivot* (lightSpaceOf), whatever the
-  /// distance; nearer hair gets more.
+  Kind kind = Kind::Parallel;     ///< selects which of the fields below are used
+  glm::vec3 direction{0, -1, 0};  ///< Parallel: direction of travel, any length but zero
+  glm::vec3 position{0, 3, 0};    ///< Point: metres
+  /// Linear, >= 0. Point: irradiance at the *pivot* (lightSpaceOf), whatever the distance; nearer
+  /// hair gets more.
   glm::vec3 colour{1};
 
   /// A light at infinity.
@@ -50,10 +50,10 @@ inline void validate(const Light& light) {
           ", ", light.position.y, ", ", light.position.z, ") it is not finite, or beyond 1e15 m");
 }
 
-/// The frame of the light's map. `pivot` (metres): what a light at a point looks at, where a map's
-/// cells are as large as its settings say and the light's colour is what arrives; of no meaning to
-/// parallel light. Throws Error for a direction without length, a light in its pivot, and numbers
-/// that are not finite.
+/// Coordinate frame of the light's map. `pivot` (metres): target of a point light, where a map's
+/// cells have their nominal size and the light has its nominal colour; unused for parallel light.
+/// Throws Error for a direction without length, a light at its pivot, and numbers that are not
+/// finite.
 inline LightSpace lightSpaceOf(const Light& light, glm::vec3 pivot) {
   validate(light);
   return light.kind == Light::Kind::Parallel ? makeLightSpace(light.direction)
