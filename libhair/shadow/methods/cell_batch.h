@@ -10,10 +10,10 @@
 
 namespace HAIR_API hair {
 
-/// The cell coordinates of up to 64 points, one array a component: straight loops that vectorise,
-/// with the same bits as CellFrame::cellCoordinates point by point.
+/// Cell coordinates of up to 64 points as structure of arrays, in loops that vectorise.
+/// Bit-identical to CellFrame::cellCoordinates.
 struct CellBatch {
-  static constexpr std::size_t kSize = 64;  ///< points, at the most
+  static constexpr std::size_t kSize = 64;  ///< maximum number of points
 
   float x[kSize],  ///< unwrapped cell coordinates, along the light
       y[kSize],    ///< across it
@@ -28,7 +28,7 @@ struct CellBatch {
     const std::size_t count = points.size();
     const glm::mat3 m = frame.cellFromWorld;
     const glm::vec3 anchor = frame.anchor, fraction = frame.fraction;
-    // Take the components apart first: the loop below then is whole vectors.
+    // Deinterleave the components first, so that the next loop vectorises.
     float dx[kSize], dy[kSize], dz[kSize];
     for (std::size_t l = 0; l < count; ++l) {
       dx[l] = p[l].x - anchor.x;

@@ -17,8 +17,8 @@ using Beyond = DeepOpacityMapSettings::Beyond;
 
 constexpr int kMostLayers = 255;
 
-/// Where layers end, in parts of their whole depth: d[0] = 0 < d[1] < ... < d[K] = 1. The layer of
-/// a part is looked up in a table of even steps, from where it is never far.
+/// Ends of layers as fractions of the total depth: d[0] = 0 < d[1] < ... < d[K] = 1. To find the
+/// layer of a depth, start at an entry of a uniform table and step forward.
 class Layers {
  public:
   Layers(int count, Growth growth) : count_(static_cast<std::size_t>(count)) {
@@ -42,13 +42,13 @@ class Layers {
     }
   }
 
-  /// The layer of a part, [0, 1).
+  /// The layer at a fraction of the total depth, [0, 1).
   std::size_t at(float part) const {
     std::size_t k = first_[static_cast<std::size_t>(part * kSteps)];
     while (part >= ends_[k + 1]) ++k;
     return k;
   }
-  /// How far into layer k a part is, [0, 1).
+  /// Position of a fraction within layer k, [0, 1).
   float within(std::size_t k, float part) const { return (part - ends_[k]) * perPart_[k]; }
   std::size_t count() const { return count_; }
 
@@ -117,7 +117,7 @@ class DeepOpacityMap final : public ImageMethod {
   /// Depth behind the image's nearest, never negative.
   float behindNearest(float depth) const { return std::max(depth - image_.nearest, 0.0f); }
 
-  /// How deep in a pixel's layers, in parts of all of them; minus infinity where it has no hair.
+  /// Depth in a pixel's layers as a fraction of the total; minus infinity in a pixel without hair.
   float partOf(const std::uint32_t* words, float depth) const {
     return (depth - image_.nearest - std::bit_cast<float>(words[0])) * partPerDepth_;
   }
@@ -134,8 +134,8 @@ class DeepOpacityMap final : public ImageMethod {
         });
   }
 
-  /// Depths as 8 or 16 bits would keep them, towards the light, so that no hair is in front of its
-  /// z0. They stay in words of 32 bits, as all channels of the paper's texture are alike.
+  /// Quantises depths to 8 or 16 bits, rounding towards the light, so that no hair is in front of
+  /// its z0. They remain 32-bit words, because all channels of the paper's texture are alike.
   void roundDepths(float all) {
     const auto levels = static_cast<float>((1 << settings_.depthBits) - 1);
     const float step = std::max(all, 1e-3f) / levels;

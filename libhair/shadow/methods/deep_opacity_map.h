@@ -20,17 +20,17 @@ struct DeepOpacityMapSettings {
     Doubling,   ///< 1 2 4 8
     Fibonacci,  ///< 1 2 3 5
   };
-  /// What becomes of hair beyond the last layer (section 3, "points beyond the end").
+  /// Treatment of hair beyond the last layer (section 3, "points beyond the end").
   enum class Beyond {
     Ignored,       ///< casts no shadow
-    InLastLayer,   ///< counts for the last layer, and shadows itself
-    LargerLayers,  ///< does not exist: layers are scaled so that the last one ends behind all hair
+    InLastLayer,   ///< belongs to the last layer, and shadows itself
+    LargerLayers,  ///< does not occur: layers are scaled so that the last one ends behind all hair
   };
   float pixelSize = 3e-3f;              ///< metres, > 0
   int layers = 7;                       ///< K, 1 to 255
   Growth growth = Growth::Linear;       ///< of layers, away from the light
   Beyond beyond = Beyond::InLastLayer;  ///< hair behind the last layer
-  float depth = 0.05f;  ///< metres, d[K], > 0: of all layers together, but for LargerLayers
+  float depth = 0.05f;  ///< metres, d[K], > 0: total depth of all layers; unused for LargerLayers
   int depthBits = 32;   ///< 8, 16 or 32 (float), of the stored z0
   Extinction extinction = Extinction::Unbiased;  ///< how opacity becomes optical depth
   LateralFilter filter = LateralFilter::Linear;  ///< between pixels

@@ -23,14 +23,14 @@ struct Slopes {
   bool none() const { return steepest > flattest; }
 };
 
-/// The piece that is being drawn: from `origin`, with any of `slopes`, as far as `reached`.
+/// The current piece: from `origin`, with any of `slopes`, up to `reached`.
 struct Piece {
   VisibilityVertex origin;
   float reached;
   double tolerance;
   Slopes slopes = {};
 
-  /// Those of `s` that pass the depth within the tolerance of the transmittance there.
+  /// The slopes of `s` that are within the tolerance of the transmittance at the depth.
   Slopes through(Slopes s, float depth, float transmittance) const {
     const double way = double{depth} - double{origin.depth};
     const double t = double{transmittance}, from = double{origin.transmittance};
@@ -71,7 +71,7 @@ void compressVisibility(std::span<const PixelFragment> fragments, float toleranc
     after = std::min(before, expMinusApproximate(static_cast<float>(opticalDepth)));
     const double height = double{before} - double{after};
 
-    // At the first depth the line has no length yet: it is still at 1 there.
+    // At its origin the piece has no length: its value there is fixed.
     if (depth == piece.origin.depth) {
       if (height > double{tolerance}) piece.begin({depth, after}, vertices);
       continue;
@@ -103,7 +103,7 @@ float transmittanceAt(std::span<const VisibilityVertex> vertices, float depth) {
   const VisibilityVertex& a = b[-1];
   if (b == vertices.end()) return a.transmittance;
   const float part = (depth - a.depth) / (b->depth - a.depth);
-  // Rounding must not carry it below where the next piece begins.
+  // Rounding must not take it below the start of the next piece.
   return std::max(a.transmittance + part * (b->transmittance - a.transmittance), b->transmittance);
 }
 
@@ -116,8 +116,8 @@ class DeepShadowMap final : public ImageMethod {
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
     requireFibre(fibre, "deep shadow map");
     setOwnShadow(fibre, settings_);
-    // Deviation: fragments carry the mean over the pixel of what fibres take. The paper traces many
-    // rays a pixel, on which fibres are opaque, and takes the mean of their functions.
+    // Deviation: fragments have the pixel's mean optical depth. The paper traces many rays a pixel,
+    // on which fibres are opaque, and averages their functions.
     const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
     buildFragmentLists(strands, fibre, settings_.extinction, image, lists_);
     image_ = image;
@@ -157,7 +157,7 @@ class DeepShadowMap final : public ImageMethod {
  private:
   static constexpr std::size_t kBlock = 256;
 
-  /// The functions of some pixels; how long they are is known only when they are made.
+  /// The functions of a block of pixels, of a length unknown in advance.
   struct Block {
     std::vector<VisibilityVertex> vertices;
     std::array<std::uint32_t, kBlock> end;

@@ -13,8 +13,8 @@ namespace HAIR_API hair {
 
 class ShadowMethod;
 
-/// Deep shadow maps (Lokovic and Veach 2000): each pixel's whole visibility function, compressed to
-/// the fewest pieces that a greedy walk finds within `tolerance` of it everywhere.
+/// Deep shadow maps (Lokovic and Veach 2000): each pixel's visibility function, compressed greedily
+/// to linear pieces that are within `tolerance` of it everywhere.
 struct DeepShadowMapSettings {
   float pixelSize = 3e-3f;  ///< metres, > 0
   float tolerance = 0.01f;  ///< of transmittance, >= 0; 0: every fragment is kept
@@ -29,16 +29,15 @@ struct VisibilityVertex {
   float transmittance;  ///< [0, 1]
 };
 
-/// Appends the vertices of a function that is nowhere farther than `tolerance` (to rounding) from
-/// the product of exp(-optical depth) of the fragments in front: it begins at 1, stays in [0, 1]
-/// and never increases. `fragments`: front to back; none: no vertex. At most two vertices a
-/// fragment.
+/// Appends the vertices of a function within `tolerance` (to rounding) of the product of
+/// exp(-optical depth) of the fragments in front: it begins at 1, stays in [0, 1] and never
+/// increases. `fragments`: front to back; none: no vertex. At most two vertices a fragment.
 ///
-/// A piece begins where the last one ended. The slopes that keep it within the tolerance of all
-/// fragments passed shrink from fragment to fragment; when none is left, it ends at the last
-/// fragment that it could pass, with the middle one of the slopes that could (Lokovic and Veach
-/// 2000, on compression). Where a fragment takes more light than a line can bridge, the
-/// piece ends at it and the next begins below the step.
+/// A piece begins at the end of the previous one. The range of slopes within the tolerance of all
+/// fragments so far shrinks with each fragment; when it is empty, the piece ends at the last
+/// feasible fragment, with the middle of the feasible slopes (Lokovic and Veach 2000, on
+/// compression). Where a fragment's step exceeds the tolerance, the piece ends at it and the next
+/// begins below the step.
 void compressVisibility(std::span<const PixelFragment> fragments, float tolerance,
                         std::vector<VisibilityVertex>& vertices);
 

@@ -21,18 +21,18 @@ constexpr std::size_t kMostClusters = 64;
 using PerCluster = std::array<double, kMostClusters>;
 using Fragments = std::span<const PixelFragment>;
 
-// Of the way from a pixel's first to its last fragment, the part that clusters begin in when they
-// begin towards the light. Section 5 says "scaled 75% towards the left": to three quarters, or by
-// three quarters? On rays like those of its figure 5, to a quarter doubles the error with K
-// gaussians, and to three quarters lowers that of the first quarter of the way by a fifth or more.
+// Start::TowardsLight: fraction of the depth range, from a pixel's first to its last fragment, that
+// initial clusters cover. Section 5 says "scaled 75% towards the left", which may mean to 3/4 or to
+// 1/4. On rays like those of its figure 5, 1/4 doubles the error with K gaussians; 3/4 lowers the
+// error in the first quarter of the range by a fifth or more.
 constexpr double kTowardsLight = 0.75;
 
-// Pixels. What a fibre takes is spread over the depth it has within its pixel: about a pixel, of
-// which half is behind the middle, where its fragment is.
+// Pixels. A fibre's optical depth extends over about one pixel of depth, half of it behind its
+// middle, where its fragment is.
 constexpr float kLeastWidth = 0.5f;
 
 /// visit(j, the fragments in front of wall(j) and behind wall(j - 1)) for each of `count` clusters.
-/// wall(j) is asked for before visit(j) is called.
+/// Calls wall(j) before visit(j).
 template <class Wall, class Visit>
 void forClusters(Fragments fragments, std::size_t count, Wall&& wall, Visit&& visit) {
   std::size_t begin = 0;
@@ -57,7 +57,7 @@ double weight(Fragments fragments) {
 double mean(Fragments fragments) {
   double sum = 0;
   for (const PixelFragment& f : fragments) sum += double{f.opticalDepth} * double{f.depth};
-  // Rounding must not carry it past its neighbours.
+  // Rounding must not take it past its neighbours.
   return std::clamp(sum / weight(fragments), double{fragments.front().depth},
                     double{fragments.back().depth});
 }
@@ -80,7 +80,7 @@ std::size_t clusterFragments(Fragments fragments, const DensityClusteringSetting
   auto count = static_cast<std::size_t>(settings.clusters);
   const double nearest = double{fragments.front().depth}, farthest = double{fragments.back().depth};
 
-  // Begin evenly between the first and the last fragment.
+  // Start with uniform spacing between the first and the last fragment.
   PerCluster mu, sigma;
   const double extent =
       (farthest - nearest) *
@@ -89,7 +89,7 @@ std::size_t clusterFragments(Fragments fragments, const DensityClusteringSetting
     mu[j] = nearest + extent * (static_cast<double>(j) + 0.5) / static_cast<double>(count);
   const auto halfway = [&](std::size_t j) { return 0.5 * (mu[j] + mu[j + 1]); };
 
-  // Move to the means. A cluster without fragments waits where it is: means stay in order.
+  // Move to the means. A cluster without fragments stays where it is, so that means stay in order.
   bool moved = true;
   for (int i = 0; i < settings.iterations && moved; ++i) {
     moved = false;
@@ -101,7 +101,7 @@ std::size_t clusterFragments(Fragments fragments, const DensityClusteringSetting
     });
   }
 
-  // Measure the spread; forget clusters that have none of the fragments.
+  // Measure the deviations; drop clusters without fragments.
   std::size_t kept = 0;
   forClusters(fragments, count, halfway, [&](std::size_t j, Fragments own) {
     if (own.empty()) return;
@@ -110,20 +110,20 @@ std::size_t clusterFragments(Fragments fragments, const DensityClusteringSetting
   });
   count = kept;
 
-  // Deviation: bins end at the first and last fragment. The paper's may begin in front of all hair,
-  // which then has a shadow there.
+  // Deviation: clip bins to the first and last fragment. The paper's may begin in front of all hair
+  // and cast a shadow there.
   PerCluster left, right;
   for (std::size_t j = 0; j < count; ++j) {
     left[j] = std::clamp(mu[j] - std::sqrt(3.0) * sigma[j], nearest, farthest);
     right[j] = std::clamp(mu[j] + std::sqrt(3.0) * sigma[j], nearest, farthest);
   }
   for (std::size_t j = 0; j + 1 < count; ++j)
-    // Deviation: between the two means. A lopsided cluster can reach beyond its neighbour's mean,
-    // even its neighbour's bin, which would end before it begins.
+    // Deviation: clamp to between the two means. A skewed cluster can extend beyond its neighbour's
+    // mean, even beyond its bin, which would then end before it begins.
     if (right[j] > left[j + 1])
       right[j] = left[j + 1] = std::clamp(0.5 * (right[j] + left[j + 1]), mu[j], mu[j + 1]);
 
-  // Fill the bins; what lies between two goes to the nearer mean.
+  // Fill the bins; a fragment between two goes to the nearer mean.
   std::size_t made = 0;
   const auto between = [&](std::size_t j) { return std::clamp(halfway(j), right[j], left[j + 1]); };
   forClusters(fragments, count, between, [&](std::size_t j, Fragments own) {
@@ -173,7 +173,7 @@ class DensityClustering final : public ImageMethod {
       for (std::size_t p = begin; p < end; ++p) {
         const std::size_t room = firstBin_[p + 1] - firstBin_[p];
         const std::size_t n = clusterFragments(lists_.pixel(p), settings_, kLeastWidth, made);
-        // What is left over is never reached.
+        // Unused bins are at infinity.
         constexpr float kNever = std::numeric_limits<float>::infinity();
         std::fill(made.begin() + n, made.begin() + std::max(n, room), DepthBin{kNever, kNever, 0});
         std::copy_n(made.begin(), room, bins_.begin() + firstBin_[p]);

@@ -14,10 +14,10 @@ namespace HAIR_API hair {
 class ShadowMethod;
 
 /// Density clustering (Mertens et al. 2004): each pixel's fragments are clustered by depth; a
-/// cluster is a bin over which optical depth grows evenly, sqrt(3) standard deviations to both
+/// cluster is a bin over which optical depth grows linearly, sqrt(3) standard deviations to both
 /// sides of its mean (section 3.2).
 struct DensityClusteringSettings {
-  /// Where clusters begin (section 3.3).
+  /// Initial positions of clusters (section 3.3).
   enum class Start {
     Uniform,       ///< evenly between a pixel's first and last fragment
     TowardsLight,  ///< closer together near the light, where shadows change most
@@ -30,7 +30,7 @@ struct DensityClusteringSettings {
   LateralFilter filter = LateralFilter::Linear;  ///< between pixels
 };
 
-/// A piece of depth over which optical depth grows evenly; where from = to, at once.
+/// A depth interval over which optical depth grows linearly; a step if from = to.
 struct DepthBin {
   float from,          ///< depth along the light, in pixels
       to;              ///< >= from, in pixels
@@ -53,8 +53,8 @@ struct DepthBin {
 /// `fragments`: front to back. `bins`: [>= settings.clusters]; returns how many were made: at most
 /// `clusters`, fewer where clusters stayed empty. They are disjoint, front to back, lie between the
 /// first and the last fragment and together have the optical depth of all fragments. A bin narrower
-/// than `leastWidth` is made that wide, away from the light, where there is room: a lone fragment
-/// would be a step, and on which side of it its own fibre stands a matter of rounding.
+/// than `leastWidth` is widened to it, away from the light, if there is room: a lone fragment would
+/// be a step, and rounding would decide on which side of it its own fibre is.
 std::size_t clusterFragments(std::span<const PixelFragment> fragments,
                              const DensityClusteringSettings& settings, float leastWidth,
                              std::span<DepthBin> bins);

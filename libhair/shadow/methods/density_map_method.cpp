@@ -13,7 +13,7 @@ namespace {
 class DensityMapMethod final : public ShadowMethod {
  public:
   explicit DensityMapMethod(const DensityMapSettings& settings) : settings_(settings) {
-    clear(map_, settings_, LightSpace{});  // validates; pages come when they are written
+    clear(map_, settings_, LightSpace{});  // validates; memory pages are committed on first write
   }
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
@@ -28,7 +28,7 @@ class DensityMapMethod final : public ShadowMethod {
     sampleTransmittance(map_, points, out);
   }
 
-  /// The paper's own filters are measured as the paper has them.
+  /// The paper's filters are measured as published, with self-shadowing.
   void sampleStrands(StrandView strands, std::span<float> out) const override {
     if (settings_.filter == Filter::None || settings_.filter == Filter::Paper)
       sampleTransmittance(map_, strands.points, out);

@@ -9,8 +9,8 @@ namespace HAIR_API hair {
 
 class ShadowMethod;
 
-/// The light-oriented density map behind the interface that all methods share. Its build throws
-/// Error where the hair is larger than the map. Throws Error for settings out of range.
+/// The light-oriented density map as a ShadowMethod. Its build throws Error if the hair is larger
+/// than the map. Throws Error for settings out of range.
 std::unique_ptr<ShadowMethod> makeDensityMapMethod(const DensityMapSettings& settings);
 
 }  // namespace hair

@@ -49,7 +49,7 @@ void buildFragmentLists(StrandView strands, const Fibre& fibre, Extinction extin
   forAllFragments(strands, fibre, extinction, image,
                   [&](const Fragment& fragment) { increment(lists.next[fragment.pixel]); });
 
-  // Give each pixel its place.
+  // Prefix sum: offsets of pixels.
   std::uint64_t sum = 0;
   for (std::size_t p = 0; p < pixels; ++p) {
     lists.first[p] = static_cast<std::uint32_t>(sum);
@@ -61,8 +61,8 @@ void buildFragmentLists(StrandView strands, const Fibre& fibre, Extinction extin
   lists.first[pixels] = static_cast<std::uint32_t>(sum);
   lists.fragments.resize(sum);
 
-  // Walk the strands again, to the same fragments, and put them there. Adding 0 makes -0 a 0: the
-  // two are equal to the sort, and their order would be that of the threads.
+  // Visit the same fragments again and store them. Adding 0 turns -0 into 0: the sort treats the
+  // two as equal, so their order would depend on the threads.
   forAllFragments(strands, fibre, extinction, image, [&](const Fragment& fragment) {
     lists.fragments[increment(lists.next[fragment.pixel])] = {fragment.depth + 0.0f,
                                                               fragment.opticalDepth};

@@ -18,12 +18,11 @@ struct PixelFragment {
   float opticalDepth;  ///< > 0
 };
 
-/// The fragments of every pixel, those nearest to the light first; of one depth, the thinnest
-/// first.
+/// The fragments of every pixel, sorted by depth from the light, then by optical depth.
 struct FragmentLists {
   std::vector<std::uint32_t> first;      ///< [pixelCount + 1]: pixel p has [first[p], first[p + 1])
   std::vector<PixelFragment> fragments;  ///< of all pixels, one pixel after the other
-  std::vector<std::uint32_t> next;  ///< [pixelCount], scratch: where the pixel's next fragment goes
+  std::vector<std::uint32_t> next;  ///< [pixelCount], scratch: index of the pixel's next fragment
 
   /// Fragments of pixel p, front to back.
   std::span<const PixelFragment> pixel(std::size_t p) const {
@@ -33,9 +32,9 @@ struct FragmentLists {
   std::size_t bytes() const;
 };
 
-/// Fills the lists with all that the image sees of the strands (forFragments); their memory is used
-/// again. Fragments that take no light are left out. Threads share the strands, then the pixels;
-/// what order they came in does not matter once each pixel's fragments are sorted.
+/// Fills the lists with all fragments of the strands (forFragments); reuses their memory. Omits
+/// fragments of optical depth 0. Threads over strands, then over pixels; sorting each pixel's
+/// fragments makes the result independent of the order of threads.
 /// Throws Error for 2^32 fragments or more.
 void buildFragmentLists(StrandView strands, const Fibre& fibre, Extinction extinction,
                         const LightImage& image, FragmentLists& lists);

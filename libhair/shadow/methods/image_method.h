@@ -10,10 +10,9 @@
 
 namespace hair {
 
-/// What methods that keep an image of optical depths share with the density map, so that the
-/// comparison is of the methods: half of the shadow that a strand throws on its pixels is taken off
-/// its own points (sampleStrandTransmittance). Not in the published form, nor
-/// where the nearest pixel alone is read.
+/// Base of methods with an image of optical depths. For a fair comparison it removes half of a
+/// strand's own shadow from its points, as the density map does (sampleStrandTransmittance); not
+/// with published extinction, nor with the nearest-pixel filter.
 class ImageMethod : public ShadowMethod {
  public:
   void sampleStrands(StrandView strands, std::span<float> out) const final {

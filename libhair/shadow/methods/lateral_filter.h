@@ -4,9 +4,9 @@
 
 namespace HAIR_API hair {
 
-/// How an image of the light is read between the middles of its pixels.
+/// Interpolation between pixel centres of a light image.
 enum class LateralFilter {
-  Nearest,  ///< the pixel that the point falls into, as the papers' single texture fetch
+  Nearest,  ///< the pixel that contains the point, as the papers' single texture fetch
   Linear,   ///< transmittances of the four nearest pixels, bilinear
 };
 

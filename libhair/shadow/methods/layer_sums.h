@@ -13,13 +13,13 @@
 
 namespace hair {
 
-/// What image methods keep: a few 32-bit words a pixel, those of one pixel side by side, so that a
-/// sample reads one line of memory or two per row of pixels. Optical depths are integers: sums of
-/// them do not depend on the order in which threads add.
+/// Storage of image methods: a few 32-bit words a pixel, contiguous per pixel, so that a sample
+/// reads one or two cache lines per row of pixels. Optical depths are integers, so their sums do
+/// not depend on the order of threads.
 class LayerSums {
  public:
-  /// One count is 2^-20 of an optical depth; a word stops at 1024 of them, where light ends long
-  /// before.
+  /// One count is an optical depth of 2^-20; words hold optical depths up to 1024, far beyond
+  /// opaque.
   static constexpr float kQuantum = 0x1p-20f;
   static constexpr std::uint32_t kMost = 1u << 30;
 
@@ -42,7 +42,7 @@ class LayerSums {
 
   static std::uint32_t toCount(float opticalDepth) {
     constexpr auto kMostDepth = static_cast<float>(kMost) * kQuantum;
-    // To the nearest, without the library call that rounding is.
+    // Round to nearest, without a library call.
     const float count = std::min(opticalDepth, kMostDepth) / kQuantum;
     return static_cast<std::uint32_t>(
         static_cast<std::int32_t>(count + 0.5f));  // NOLINT(bugprone-incorrect-roundings)
@@ -54,19 +54,19 @@ class LayerSums {
     return std::min(a + b, kMost);
   }
 
-  /// Adds to a word; Shared: other threads do so at the same time.
+  /// Adds to a word; kShared: other threads add concurrently.
   template <bool kShared>
   static void add(std::uint32_t& word, std::uint32_t count) {
     change<kShared>(word, [=](std::uint32_t now) { return addSaturating(now, count); });
   }
-  /// Keeps the lesser of non-negative floats in a word (whose bits are in the order of values).
+  /// Minimum of non-negative floats in a word (their bits are ordered as their values).
   template <bool kShared>
   static void keepLeast(std::uint32_t& word, float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     change<kShared>(word, [=](std::uint32_t now) { return std::min(now, bits); });
   }
 
-  /// Each of words [first, first + count) of each pixel becomes the sum up to it.
+  /// Replaces words [first, first + count) of each pixel by their prefix sums.
   void accumulate(std::size_t first, std::size_t count) {
     if (stride_ == 0) return;
     parallelFor(words_.size() / stride_, 1024, [&](std::size_t begin, std::size_t end) {
@@ -99,7 +99,7 @@ class LayerSums {
 };
 
 /// Calls visit.operator()<kShared>(Fragment) for all fragments of all strands, on all threads;
-/// kShared is false where there is but one.
+/// kShared is false for a single thread.
 template <class Visit>
 void forAllFragments(StrandView strands, const Fibre& fibre, Extinction extinction,
                      const LightImage& image, Visit&& visit) {

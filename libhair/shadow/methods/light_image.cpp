@@ -9,7 +9,7 @@ namespace hair {
 
 namespace {
 
-/// Bounds in the frame's cells. Least and most do not depend on the order of threads.
+/// Bounds in the frame's cells. Minimum and maximum do not depend on the order of threads.
 Bounds cellBounds(std::span<const glm::vec3> points, const CellFrame& frame) {
   Bounds all;
   std::mutex mutex;
@@ -36,7 +36,7 @@ LightImage makeLightImage(StrandView strands, const LightSpace& light, float pix
   LightImage image;
   image.pixelSize = pixelSize;
   if (strands.pointCount() == 0) return image;
-  // The number of cells only matters to the modulo, which images do not have.
+  // The number of cells only matters for the modulo, which images do not use.
   image.frame = makeCellFrame(light, strands.points.front(), pixelSize, 1 << 20);
   const Bounds box = cellBounds(strands.points, image.frame);
   const glm::vec3 size = box.size();

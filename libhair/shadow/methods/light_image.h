@@ -15,16 +15,15 @@
 
 namespace HAIR_API hair {
 
-/// The picture that a camera at the light takes of the hair: what all the methods that look from
-/// the light share. Pixels are the cells of a CellFrame seen along the light; depths run along the
-/// light in units of a pixel.
+/// Image plane of a camera at the light, shared by all image methods. Pixels are the cells of a
+/// CellFrame projected along the light; depths are along the light, in pixels.
 struct LightImage {
   CellFrame frame;      ///< from points to pixels and depths
   glm::ivec2 lower{0};  ///< unwrapped cell (y, z) of pixel (0, 0)
   glm::ivec2 size{0};   ///< pixels; the hair's bounds and a margin of one pixel
-  float nearest = 0;    ///< depth of the first hair
-  float farthest = 0;   ///< and of the last
-  float pixelSize = 0;  ///< metres (at the pivot of a light at a point)
+  float nearest = 0;    ///< least depth of hair
+  float farthest = 0;   ///< greatest depth of hair
+  float pixelSize = 0;  ///< metres (at the pivot of a point light)
 
   /// Pixels of the whole image.
   std::size_t pixelCount() const {
@@ -42,7 +41,7 @@ struct LightImage {
 };
 
 /// Throws Error for a pixel size that is not positive, and where the image would have more than
-/// 8192 pixels along an axis (take larger pixels; a light inside the hair sees no bounded image).
+/// 8192 pixels along an axis (use larger pixels; a light inside the hair has no bounded image).
 /// No hair: an image of no pixels.
 LightImage makeLightImage(StrandView strands, const LightSpace& light, float pixelSize);
 
@@ -60,8 +59,8 @@ struct Fragment {
   float opticalDepth;  ///< mean over the pixel: l sin(theta) w alpha / pixel area
 };
 
-/// Calls visit(Fragment) for all that the pixels see of one strand, root to tip. Points are
-/// projected once, sixty-four at a time.
+/// Calls visit(Fragment) for all fragments of one strand, root to tip. Projects each point once, in
+/// batches of 64.
 template <class Visit>
 void forFragments(std::span<const glm::vec3> points, const Fibre& fibre, Extinction extinction,
                   const LightImage& image, Visit&& visit) {

@@ -20,7 +20,7 @@ class OpacityMap final : public ImageMethod {
     const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
     sums_.reset(image, settings_.slices, "opacity map");
     image_ = image;
-    // Slices of nothing but a plane would have no height.
+    // Hair in one plane would give slices of height 0.
     slicesPerDepth_ =
         static_cast<float>(settings_.slices) / std::max(image.farthest - image.nearest, 1e-3f);
     forAllFragments(strands, fibre, settings_.extinction, image_,
@@ -35,7 +35,7 @@ class OpacityMap final : public ImageMethod {
     sampleImage(image_, settings_.filter, points, out, [this](std::size_t pixel, float depth) {
       const Place at = place(depth);
       const std::uint32_t* sums = sums_.pixel(pixel);
-      // Sums stand at the far planes of their slices; nothing is in front of the first.
+      // Sums are located at the far planes of their slices; in front of the first the sum is 0.
       const float front = at.slice == 0 ? 0.0f : LayerSums::toOpticalDepth(sums[at.slice - 1]);
       const float back = LayerSums::toOpticalDepth(sums[at.slice]);
       return front + at.part * (back - front);

@@ -10,9 +10,8 @@ namespace HAIR_API hair {
 
 class ShadowMethod;
 
-/// Opacity shadow maps (Kim and Neumann 2001): planes at even distances across the light slice the
-/// hair; each pixel of each slice sums the opacity of what lies in it; between two planes the sum
-/// is interpolated linearly.
+/// Opacity shadow maps (Kim and Neumann 2001): equidistant planes across the light slice the hair;
+/// each pixel of each slice sums the opacity inside; sums are interpolated linearly between planes.
 struct OpacityMapSettings {
   float pixelSize = 3e-3f;                       ///< metres, > 0
   int slices = 16;                               ///< 1 to 1024

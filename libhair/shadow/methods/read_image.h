@@ -7,8 +7,8 @@
 
 namespace hair {
 
-/// Transmittance at cell coordinates u of the image's frame, where read(pixel, depth) is that of a
-/// pixel. 1 beside the image and no deeper than the first hair, whatever is read.
+/// Transmittance at cell coordinates u of the image's frame; read(pixel, depth) returns that of one
+/// pixel. Exactly 1 beside the image and up to the depth of the first hair.
 template <class Read>
 float readImage(const LightImage& image, LateralFilter filter, glm::vec3 u, Read&& read) {
   if (!(u.x > image.nearest)) return 1.0f;
@@ -16,7 +16,7 @@ float readImage(const LightImage& image, LateralFilter filter, glm::vec3 u, Read
     return image.inside(y, z) ? read(image.index(y, z), u.x) : 1.0f;
   };
   if (filter == LateralFilter::Nearest) return pixel(floorToInt(u.y), floorToInt(u.z));
-  // A pixel's value stands at its middle.
+  // A pixel's value is located at its centre.
   const float fromY = u.y - 0.5f, fromZ = u.z - 0.5f;
   const int y = floorToInt(fromY), z = floorToInt(fromZ);
   const float partY = fromY - static_cast<float>(y), partZ = fromZ - static_cast<float>(z);

@@ -12,9 +12,9 @@
 
 namespace hair {
 
-/// Transmittance at points from the pixels of an image: opticalDepth(pixel, depth) says what lies
-/// in front of a depth at a pixel. LateralFilter::Linear weights the transmittances of the four
-/// pixels whose middles surround the point. Exactly 1 outside of the image. On all threads.
+/// Transmittance at points from the pixels of an image: opticalDepth(pixel, depth) returns the
+/// optical depth in front of a depth. LateralFilter::Linear interpolates the transmittances of the
+/// four nearest pixel centres. Exactly 1 outside of the image. On all threads.
 template <class OpticalDepth>
 void sampleImage(const LightImage& image, LateralFilter filter, std::span<const glm::vec3> points,
                  std::span<float> out, OpticalDepth&& opticalDepth) {
@@ -30,7 +30,7 @@ void sampleImage(const LightImage& image, LateralFilter filter, std::span<const 
     for (std::size_t p = begin; p < end; p += kSize) {
       const std::size_t count = std::min(end - p, kSize);
       c.fill(image.frame, points.subspan(p, count), shift);
-      // The image has an empty margin: who is not between four of its pixels is beside all hair.
+      // The image has an empty margin: points not between four of its pixels are beside all hair.
       for (std::size_t l = 0; l < count; ++l) {
         const int j = c.j[l], k = c.k[l];
         const int next = linear ? 1 : 0;

@@ -50,8 +50,8 @@ class ShadowMap final : public ShadowMethod {
   std::size_t bytes() const override { return depths_.bytes(); }
 
  private:
-  /// Share of the pixels with their middles in the disc around u that see u; where there is none,
-  /// of the point's own pixel alone.
+  /// Lit fraction of the pixels with centres in the disc around u; if there are none, of the
+  /// point's own pixel.
   float litShare(glm::vec3 u, glm::ivec2 own) const {
     const float depth = u.x - bias_ - image_.nearest;
     if (depth <= 0) return 1;
@@ -76,17 +76,18 @@ class ShadowMap final : public ShadowMethod {
     return static_cast<float>(pixels - dark) / static_cast<float>(pixels);
   }
 
-  /// Of pixels from to `to` of row k, all of the image: how many have hair in front of the depth.
+  /// Number of pixels in columns `from` to `to` of row k, inside the image, with hair in front of
+  /// the depth.
   int darkPixels(int k, int from, int to, float depth) const {
     if (to < from) return 0;
     const std::uint32_t* row = depths_.pixel(image_.index(from, k));
-    // Bits of floats that are not negative are in the order of values.
+    // Bits of non-negative floats are ordered as their values.
     const auto bits = static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(depth));
     int dark = 0;
     for (int y = 0; y <= to - from; ++y) dark += static_cast<std::int32_t>(row[y]) < bits ? 1 : 0;
     return dark;
   }
-  /// The first pixel with its middle at x or after, and the last at x or before.
+  /// The first pixel with its centre at x or after, and the last at x or before.
   static int firstMiddle(float x) { return -floorToInt(0.5f - x); }
   static int lastMiddle(float x) { return floorToInt(x - 0.5f); }
 

@@ -12,7 +12,7 @@ struct Overloaded : Cases... {
   using Cases::operator()...;
 };
 
-/// "3 mm", and what differs from the default of all methods.
+/// "3 mm"; common() adds what differs from the defaults of all methods.
 std::string millimetres(float metres) {
   return text(metres * 1e3f, " mm");
 }
@@ -66,7 +66,7 @@ const char* name(DeepOpacityMapSettings::Growth growth) {
   return "";
 }
 
-/// How deep the layers reach, and what becomes of hair beyond.
+/// Total depth of the layers, and treatment of hair beyond.
 std::string reach(const DeepOpacityMapSettings& s) {
   using enum DeepOpacityMapSettings::Beyond;
   switch (s.beyond) {

@@ -21,27 +21,27 @@
 
 namespace HAIR_API hair {
 
-/// One way to shadow hair, so that ways can be measured against each other. A program that has made
-/// its choice calls the passes of its method directly; frame() calls those of the density map.
+/// Common interface of shadow methods, for comparison by measurement. Programs that use one method
+/// call its passes directly; frame() calls those of the density map.
 class ShadowMethod {
  public:
   virtual ~ShadowMethod() = default;
 
-  /// For these strands under this light; forgets what was built before, keeps its memory.
-  /// Threads share the work; the result has the same bits for any number of threads.
+  /// Builds the shadow of the strands under the light; replaces the previous one and reuses its
+  /// memory. Multi-threaded; the result has the same bits for any number of threads.
   virtual void build(StrandView strands, const Fibre& fibre, const LightSpace& light) = 0;
 
-  /// Transmittance at any points, [0, 1]; 1 where no hair is towards the light. On all threads.
+  /// Transmittance at any points, [0, 1]; 1 where no hair is in front. On all threads.
   /// `out`: [points.size()].
   virtual void sample(std::span<const glm::vec3> points, std::span<float> out) const = 0;
 
-  /// Transmittance at all points of the strands that were built from. Where a method knows how, a
-  /// strand does not shadow itself. `out`: [pointCount].
+  /// Transmittance at all points of the strands passed to build, without self-shadowing of a strand
+  /// if the method supports it. `out`: [pointCount].
   virtual void sampleStrands(StrandView strands, std::span<float> out) const {
     sample(strands.points, out);
   }
 
-  /// What stands in memory between build and the last sample.
+  /// Memory in use between build and the last sample.
   virtual std::size_t bytes() const = 0;
 };
 
