@@ -6,11 +6,11 @@ namespace hair::c {
 
 namespace {
 
-// No memory is asked for: it may be what there is none of.
+// Fixed size, because an allocation could fail when memory is exhausted.
 thread_local char lastError[1024] = "";
 
-// Threads that this thread asked for.
-thread_local int threadLimit = 0;  // 0: as many as there are
+// Settings of hair_use_threads and hair_use_pool.
+thread_local int threadLimit = 0;  // 0: those of the machine
 thread_local hair_pool pool = {};  // run is null: none
 
 }  // namespace

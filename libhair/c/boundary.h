@@ -12,7 +12,7 @@
 
 namespace hair::c {
 
-/// What every function of the C interface is wrapped in: no exception gets past it.
+/// Wrappers of all functions of the C interface: they convert exceptions to status codes.
 
 hair_status failed(hair_status status, const char* why) noexcept;
 
@@ -32,15 +32,14 @@ hair_status guarded(Work&& work) noexcept {
   }
 }
 
-/// While it lives, loops run on the threads that this thread asked for (hair_use_threads,
-/// hair_use_pool). It lives no longer than a call: what a host does between calls is its own.
+/// Applies the thread settings (hair_use_threads, hair_use_pool) to loops during one call; the
+/// host's own work between calls is unaffected.
 class ThreadsInUse {
  public:
   ThreadsInUse();
 
  private:
-  // As it was when the call began: a host's run() may do other work of its own meanwhile, and that
-  // may ask for another pool.
+  // A copy: a host's run() may do other work meanwhile and switch to another pool.
   struct CallersPool final : ThreadPool {
     explicit CallersPool(const hair_pool& pool) : own(pool) {}
     int threadCount() const override { return static_cast<int>(own.thread_count); }
@@ -54,7 +53,7 @@ class ThreadsInUse {
   std::optional<ThreadPoolScope> pool_;
 };
 
-/// The same, where there are loops.
+/// The same, for calls with parallel loops.
 template <class Work>
 hair_status computed(Work&& work) noexcept {
   return guarded([&] {
@@ -69,8 +68,8 @@ T& given(T* pointer, std::string_view name) {
   return *pointer;
 }
 
-/// The least size of each growing struct, that of version 1.0. These never change, whatever the
-/// structs have become: programs of then go on passing them.
+/// Smallest accepted size of each growing struct: that of version 1.0. Never changes, because old
+/// programs keep passing it.
 template <class T>
 inline constexpr std::size_t kFirstSize = 0;
 template <>
@@ -88,7 +87,7 @@ inline constexpr std::size_t kFirstSize<hair_map> = 36;
 template <>
 inline constexpr std::size_t kFirstSize<hair_pool> = 8 + 2 * sizeof(void*);
 
-/// No struct is as large: a larger size was never set.
+/// Larger sizes are rejected as uninitialised.
 inline constexpr std::size_t kLargestSize = 4096;
 
 template <class T>
@@ -98,8 +97,8 @@ void requireSize(std::size_t size, std::string_view name) {
           kFirstSize<T>, " to ", kLargestSize, "; set it to sizeof(", name, ")");
 }
 
-/// A growing struct of any version: what an older one lacks is as in `defaults`; what a newer one
-/// has beyond this version must be zero.
+/// Reads a growing struct of any version: fields missing in an older one come from `defaults`;
+/// bytes beyond this version must be zero.
 template <class T>
 T taken(const T* from, T defaults, std::string_view name) {
   given(from, name);
@@ -114,7 +113,7 @@ T taken(const T* from, T defaults, std::string_view name) {
   return defaults;
 }
 
-/// The other way: as much of `value` as a struct of `size` bytes holds, and zeros beyond that.
+/// Writes a growing struct: as much of `value` as `size` bytes hold, then zeros.
 template <class T>
 void hand(T value, T* to, std::size_t size, std::string_view name) {
   given(to, name);

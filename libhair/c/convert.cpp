@@ -53,7 +53,7 @@ struct FromC {
   }
 };
 
-// Every field of the one beside its fellow of the other: once, for both directions.
+// Pairs of corresponding fields, listed once for both directions.
 template <class C, class Own, class Copy>
 void forFields(C& c, Own& own, Copy copy) {
   auto& guides = own.guides;
@@ -95,7 +95,7 @@ void forFields(C& c, Own& own, Copy copy) {
   copy(c.map_filter, own.map.filter, "map_filter", Filter::Footprint);
   copy(c.map_footprint, own.map.footprint, "map_footprint");
 
-  auto& look = std::get<KajiyaKaySettings>(own.appearance);  // the one that C has
+  auto& look = std::get<KajiyaKaySettings>(own.appearance);  // the only model in the C interface
   copy(c.shade, own.shade, "shade");
   copy(c.eye, own.eye, "eye");
   copy(c.root_colour, look.rootColour, "root_colour");

@@ -11,11 +11,11 @@
 
 namespace hair::c {
 
-/// Structs of C to the library's own, and back. They throw Error for null pointers, for sizes and
-/// for values that are none of an enum; ranges are the business of whoever takes the result.
+/// Convert C structs to the library's own, and back. Throw Error for null pointers, wrong sizes and
+/// invalid enum values; ranges are validated by the functions that use the results.
 
 hair_settings settingsOf(const FrameSettings& settings);
-/// Null: the defaults. Lights and what the C interface has no field for are those of `base`.
+/// Null: the defaults. Lights and fields missing in the C interface come from `base`.
 FrameSettings frameSettings(const hair_settings* settings, FrameSettings base = {});
 
 DensityMapSettings mapSettings(const hair_map& map);
@@ -26,7 +26,7 @@ StyleSettings styleOf(const hair_style* style);
 
 /// Points of the caller, [3 · count].
 std::span<const glm::vec3> pointsOf(const float* points, std::size_t count, std::string_view name);
-/// Checked: any strands of at least `minPoints` points.
+/// Validated strands of at least `minPoints` points each.
 StrandView strandsOf(const hair_strands* strands, std::size_t minPoints);
 
 /// Distance field of a caller's head; null for none.

@@ -6,7 +6,7 @@ namespace hair::c {
 
 namespace {
 
-// What the caller's body says; none: as it was. `own` holds its arrays.
+// The caller's body; null: `before`. `own` holds its arrays.
 BodyState stateOf(const hair_body* body, const BodyState& before, OwnBody& own) {
   if (!body) return before;
   take(taken(body, hair_body{}, "hair_body"), own);

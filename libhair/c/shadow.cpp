@@ -33,7 +33,7 @@ hair_status hair_map_init(hair_map* map, size_t size) {
 
 hair_status hair_shadow_create(hair_shadow** out) {
   return guarded([&] {
-    hair_shadow*& to = given(out, "hair_shadow");  // before there is anything to lose
+    hair_shadow*& to = given(out, "hair_shadow");  // validates before allocating
     to = new hair_shadow;
   });
 }

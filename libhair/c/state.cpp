@@ -11,7 +11,7 @@ using hair::require;
 
 namespace {
 
-// The caller's bytes, to be read.
+// Reads from the caller's bytes.
 struct Reading : std::streambuf {
   Reading(const void* bytes, std::size_t size) {
     char* begin = const_cast<char*>(static_cast<const char*>(bytes));
@@ -19,7 +19,7 @@ struct Reading : std::streambuf {
   }
 };
 
-// The caller's room: counts all that is written, keeps what there is room for.
+// Writes to the caller's buffer: counts all bytes, stores those that fit.
 class Writing : public std::streambuf {
  public:
   Writing(void* bytes, std::size_t room) : bytes_(static_cast<char*>(bytes)), room_(room) {}
