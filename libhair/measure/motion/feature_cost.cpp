@@ -99,7 +99,7 @@ struct Change {
         }
       colours += 3.0 * static_cast<double>(n);
     }
-    // Of all lights; with one light fewer there is nothing to compare.
+    // Compare only equal numbers of lights.
     const std::size_t m = with.transmittance.size(), left = without.transmittance.size();
     if (m > 0 && (left == m || left == 0)) {
       for (std::size_t i = 0; i < m; ++i) {
@@ -147,7 +147,7 @@ FeaturePlan measureFeatures(const MeasuredScene& scene, std::span<const Feature>
     watchFrame(whole.player, plan.watch);
   };
   for (int block = 0; block < settings.blocks; ++block) {
-    // Forwards, then backwards: what drifts evenly has no say.
+    // Alternate forward and backward order, which cancels linear drift.
     const std::size_t turns = features.size() + 1;
     for (std::size_t turn = 0; turn < turns; ++turn) {
       const std::size_t who = block % 2 == 0 ? turn : turns - 1 - turn;

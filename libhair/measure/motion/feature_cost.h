@@ -12,15 +12,15 @@
 
 namespace HAIR_API hair {
 
-/// What was seen of the whole scene while it was measured.
+/// Statistics of the whole scene during the measurement.
 struct SceneWatch {
-  std::int64_t frames = 0;  ///< that were seen
+  std::int64_t frames = 0;  ///< frames observed
   double pushed = 0;        ///< share of guide points, over all frames, that self-collision pushes
   float darkest = 1;        ///< least transmittance of any point
   int cells = 0;            ///< of the light's map along each axis
   glm::ivec3 cellsUsed{0};  ///< the most that the hair spanned along each of the map's axes
   std::uint32_t saturatedCells = 0;  ///< the most of any frame
-  /// Frames in which the hair was larger than the map as it was set, so that its cells were larger.
+  /// Frames in which the hair exceeded the map of the settings, so that its cells were enlarged.
   std::int64_t enlargedFrames = 0;
 };
 
@@ -66,22 +66,21 @@ struct FeatureCostSettings {
   int framesPerBlock = 5;  ///< >= 2; the first of a block warms the caches and is not counted
 };
 
-/// "Model only what a scene requires" needs to know what each part costs there. Performs the scene
-/// as it is, and once without each feature, all at a time: a block of frames of each in turn, and
-/// the turns backwards every other time, so that a machine that slows down or has other things to
-/// do does so to all alike. A saving is the median over blocks of (with - without) of the blocks'
-/// median frames: it can be more than the feature's own stages (what follows has less to do) or
-/// less (other hair, other contacts). Savings of two features do not add up.
+/// Measures the cost of each feature. Runs the scene as it is and once without each feature,
+/// interleaved: a block of frames of each in turn, in reverse order every other time, so that
+/// changes of machine load affect all runs alike. A saving is the median over blocks of (with -
+/// without) of the blocks' median frames. It can exceed the feature's own stages (later stages have
+/// less work) or fall below them (other hair, other contacts). Savings of two features do not add
+/// up.
 ///
-/// Known limits. Every performance has caches for itself in a block only from its second frame on.
-/// What is no part of FrameSettings or of the groom is not seen: drawing, the shadow of head and
-/// body (Hair::visibility, the caller's to fill).
+/// Known limits. Caches are warm only from the second frame of a block on. Covers only
+/// FrameSettings and groom, not drawing, nor the shadow of head and body in Hair::visibility.
 /// Throws Error for settings out of range.
 FeaturePlan measureFeatures(const MeasuredScene& scene, std::span<const Feature> features,
                             const FeatureCostSettings& settings = {});
 
 /// Bytes in the arrays of a head of hair: guides, drawn strands and their groom, maps, colours. Of
-/// a map, what is set aside; pages of it that hair never touches are never made.
+/// a map, the reserved memory; pages that hair never touches are not committed.
 std::size_t hairBytes(const Hair& hair);
 
 }  // namespace hair

@@ -17,7 +17,7 @@ void dropOffsets(Scene& scene) {
   scene.groom = std::move(groom);
 }
 
-// The guides themselves, drawn; each stands for its part of the hairs.
+// Draws the guides themselves; each represents an equal part of the hairs.
 void dropWisps(Scene& scene) {
   auto groom = std::make_shared<Groom>(*scene.groom);
   const auto guides = static_cast<std::uint32_t>(groom->guideCount());

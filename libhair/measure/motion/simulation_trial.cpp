@@ -28,13 +28,13 @@ void check(const SimulationTrialSettings& s) {
       require(n >= 1, "simulation trial: iterations = ", n, "; take at least 1");
 }
 
-// The scene without what comes after the hair's motion.
+// The scene without shadows and shading.
 MeasuredScene motionOnly(MeasuredScene scene) {
   scene.settings.shadow = scene.settings.shade = false;
   return scene;
 }
 
-// What a frame hands to the next, so that runs can start alike.
+// State that a frame passes to the next, so that runs start from equal states.
 struct Start {
   explicit Start(const Hair& hair)
       : guides(hair.guides),
@@ -51,7 +51,7 @@ struct Start {
     player.hair.capsules = capsules;
     player.hair.time = 0;
   }
-  // The same somewhere else.
+  // The same state, translated.
   Start moved(glm::vec3 by) const {
     Start there = *this;
     for (LaneVec3& p : there.guides.position) p.x = p.x + by.x, p.y = p.y + by.y, p.z = p.z + by.z;
@@ -76,8 +76,8 @@ MeasuredScene moved(MeasuredScene scene, glm::vec3 by) {
   return scene;
 }
 
-// Brings the head to the origin, but for what tells places apart: the cells that self-collision
-// counts in stand on the world's grid, so the way is whole cells; gusts of wind allow none.
+// Translation that brings the head to the origin. A multiple of the cell size of self-collision,
+// whose grid is fixed in the world; zero in wind, whose gusts depend on the place.
 glm::vec3 wayToOrigin(const ScenePlayer& player) {
   if (!player.scene.settings.wind.still()) return glm::vec3(0);
   const float cell = player.scene.settings.repulsion.cellSize;
@@ -104,7 +104,7 @@ int substepsOf(const MeasuredScene& scene) {
       1, static_cast<int>(std::ceil(scene.frameSeconds / scene.settings.guides.substep - 1e-3f)));
 }
 
-// The larger of the two, but NaN once there is one.
+// Maximum that propagates NaN.
 void worse(float& worst, float value) {
   if (!(value <= worst) && !std::isnan(worst)) worst = value;
 }
@@ -156,7 +156,7 @@ TipDistance distance(const Run& a, const Run& b, const SimulationTrialSettings& 
   return result;
 }
 
-// The run of a start that differs by next to nothing.
+// The run from a start with a minimal perturbation (kTwinSpeed).
 Run performTwin(ScenePlayer& player, const Start& start, const SimulationTrialSettings& settings,
                 Tips which) {
   start.to(player);
@@ -181,7 +181,7 @@ SubstepTrial measureSubsteps(const MeasuredScene& scene, const SimulationTrialSe
   };
 
   SubstepTrial trial;
-  // Many substeps move points by little, and a metre from the origin that little is rounded away.
+  // With many substeps, motion per substep is below the rounding error a metre from the origin.
   const glm::vec3 toOrigin = wayToOrigin(player);
   const Start startThere = start.moved(toOrigin);
   ScenePlayer there(moved(player.scene, toOrigin));

@@ -9,7 +9,7 @@
 
 namespace HAIR_API hair {
 
-/// How far tips are from where another run of the same scene has them, metres.
+/// Distances of tips between two runs of the same scene, metres.
 struct TipDistance {
   double early = 0;  ///< root of the mean square over tips and the first `earlyFrames` frames
   double rms = 0;    ///< over tips and all frames
@@ -17,7 +17,7 @@ struct TipDistance {
   double max = 0;    ///< of one tip in one frame
 };
 
-/// One run, and how far it is from the run that it is compared with.
+/// One run, and its distance from the run that it is compared with.
 struct SimulationRow {
   int substeps = 0;                            ///< a frame
   LinkSolver linkSolver = LinkSolver::Direct;  ///< how links were kept at their lengths
@@ -47,22 +47,22 @@ struct SimulationTrialSettings {
 /// uncertainty: the method is of first order (implicit Euler), so that the reference is about as
 /// far from the limit as its half is from it. Errors below that mean nothing.
 ///
-/// More substeps are not better without end. A substep moves a point by g h², and a metre from the
-/// origin that is rounded away in single precision: at 60 frames a second, 32 substeps there are
-/// the most that converge. The reference (not the rows) is therefore run with the head brought to
-/// the origin, which is good for 64; where it is not enough its uncertainty says so. In wind, whose
-/// gusts know where they are, the reference stays where it is.
+/// Single precision limits the number of substeps. A substep changes a point's motion by g h²,
+/// which a metre from the origin is below the rounding error: at 60 frames a second at most 32
+/// substeps converge there. The reference (not the rows) therefore runs with the head moved to the
+/// origin, which is good for 64; if that is not enough, its uncertainty shows it. In wind, whose
+/// gusts depend on the place, the reference is not moved.
 ///
-/// Known limits. Hair in contact hangs on a shoulder or slips off it by a hair's breadth, and is
-/// then centimetres off for good. Once strands have parted in this way, means count them and not
-/// the error of the integration: where the reference's own distance grows from `early` to `late`,
-/// believe `early`, or take fewer frames. In the built-in dance (smooth style) all three means are
-/// alike for some seconds, as drag and friction forget; after ten seconds the last frames' are ten
-/// times the first's. `twin` says what an arbitrarily small difference comes to: the scene's own
-/// settings again, but every point starts 0.01 mm/s faster. Distances that are not well above the
-/// twin's over the same frames say nothing about substeps. `max` is mostly one tip that fell on the
-/// other side of something. Poses are known at frames and blended between them in every run: the
-/// error of that is in none of them, nor is that of the settled state, which all runs share.
+/// Known limits. Contact is chaotic: whether hair stays on a shoulder or slips off depends on tiny
+/// differences, and then changes tips by centimetres for good. From then on means measure such
+/// strands instead of the integration error: where the reference's own distance grows from `early`
+/// to `late`, use `early`, or fewer frames. In the built-in dance (smooth style) all three means
+/// agree for some seconds, because drag and friction damp differences; after ten seconds the last
+/// frames' are ten times the first's. `twin` measures the growth of a minimal perturbation: the
+/// scene's own settings, but every point starts 0.01 mm/s faster. Distances not well above the
+/// twin's over the same frames say nothing about substeps. `max` is mostly a single tip that fell
+/// on the other side of a collider. Errors common to all runs are not included: interpolation of
+/// poses between frames, and the settled state.
 struct SubstepTrial {
   SimulationRow reference;  ///< its distance: from the run with half its substeps
   SimulationRow twin;       ///< of the scene's own settings; its distance: from their run
@@ -71,12 +71,12 @@ struct SubstepTrial {
   std::vector<SimulationRow> rows;
 };
 
-/// Tips are the guides'. Shadows and shading are not run; self-collision as the scene's settings
-/// say (its push is taken once a frame, whatever the substeps).
-/// Throws Error for settings out of range.
+/// Measures tips of guides, without shadows and shading. Self-collision follows the scene's
+/// settings (the push is constant during a frame, for any number of substeps). Throws Error for
+/// settings out of range.
 SubstepTrial measureSubsteps(const MeasuredScene& scene, const SimulationTrialSettings& settings);
 
-/// Time against what fewer guides change of the drawn hair.
+/// Time against the change of drawn hair with fewer guides.
 struct GuideCountTrial {
   SimulationRow all;                ///< the scene's own groom; distance 0
   SimulationRow twin;               ///< as in SubstepTrial, but of the drawn strands
@@ -84,11 +84,11 @@ struct GuideCountTrial {
 };
 
 /// Binds the groom's drawn strands, as they are at rest, to each of `counts` guides (bindGroom) and
-/// performs the scene with them. Tips are the drawn strands', so they start within rounding of each
-/// other whatever the count, but for what settling does. A groom that was itself bound (a loaded
-/// one) is met again at its own count; a built-in style grew with three guides a wisp, so that the
-/// row with as many guides says what binding alone changes. The wisps of a style cannot be thinned
-/// without growing other strands (StyleSettings::wisps), which leaves nothing to compare.
+/// runs the scene with them. Measures tips of drawn strands, which for all counts start within
+/// rounding of each other, except for settling. A groom that was itself bound (a loaded one) is
+/// reproduced at its own count; a built-in style has three guides a wisp, so the row with as many
+/// guides measures the effect of binding alone. Fewer wisps of a style would grow other strands
+/// (StyleSettings::wisps), which cannot be compared.
 /// Throws Error for settings out of range.
 GuideCountTrial measureGuideCounts(const MeasuredScene& scene, std::span<const std::size_t> counts,
                                    const SimulationTrialSettings& settings);
