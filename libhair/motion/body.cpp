@@ -19,7 +19,7 @@ std::size_t index(int joint) {
   return static_cast<std::size_t>(joint);
 }
 
-/// The skeleton with no joint turned.
+/// The pose with all joint rotations zero.
 std::vector<RigidTransform> zeroPose(const Skeleton& skeleton) {
   std::vector<RigidTransform> pose(skeleton.jointCount());
   for (std::size_t j = 0; j < pose.size(); ++j) {
@@ -38,7 +38,7 @@ bool isStanding(const BodyMap& map, std::span<const RigidTransform> pose) {
          up(at(map.thigh[1]) - at(map.foot[1])) && level(at(map.upperArm[0]) - at(map.upperArm[1]));
 }
 
-/// Mean over the clip of a world direction of each pose, seen from a joint. About 200 frames of it.
+/// Mean over about 200 frames of the clip of a world direction, in the joint's frame.
 glm::vec3 meanInJoint(const Clip& clip, int joint,
                       const std::function<glm::vec3(std::span<const RigidTransform>)>& direction) {
   std::vector<RigidTransform> pose(clip.skeleton.jointCount());
@@ -51,8 +51,8 @@ glm::vec3 meanInJoint(const Clip& clip, int joint,
   return sum;
 }
 
-/// Rigs line the axes of head and spine joints up with the body: a mean within 25° of an axis
-/// stands for that axis, and the habits of one dancer are not taken for the rig.
+/// Rigs align head and spine joints with the body: snap a mean within 25° of an axis to that axis,
+/// so that one dancer's posture is not mistaken for the rig.
 glm::vec3 snapped(glm::vec3 direction) {
   direction = glm::normalize(direction);
   for (int axis = 0; axis < 3; ++axis) {
@@ -68,7 +68,7 @@ glm::vec3 leftOf(const BodyMap& map, std::span<const RigidTransform> pose) {
   return pose[index(map.thigh[0])].translation - pose[index(map.thigh[1])].translation;
 }
 
-/// Learns bodyFromJoint rotations of the rest stance where the zero pose says nothing.
+/// Estimates bodyFromJoint rotations of the rest stance if the zero pose is not standing.
 class StanceFromClip {
  public:
   StanceFromClip(const Clip& clip, Body& body) : clip_(clip), body_(body), map_(body.map) {}
@@ -157,7 +157,7 @@ class StanceFromClip {
     set(joint, snapped(up), snapped(meanInJoint(clip_, joint, facing)));
   }
 
-  /// `bone` (in the joint) points to `axis`, and `hinge` (in the joint) as near as may be to
+  /// `bone` (in the joint) points along `axis`, and `hinge` (in the joint) as close as possible to
   /// `side`.
   void limb(int joint, glm::vec3 bone, glm::vec3 axis, glm::vec3 side, glm::vec3 hinge) {
     bone = glm::normalize(bone);
@@ -168,7 +168,7 @@ class StanceFromClip {
     known_[index(joint)] = true;
   }
 
-  /// Mean axis about which the lower bone bends against the upper, seen from `joint`.
+  /// Mean hinge axis between upper and lower bone, in the frame of `joint`.
   glm::vec3 bend(int joint, int upper, int lower, int end) const {
     return meanInJoint(clip_, joint, [=](std::span<const RigidTransform> pose) {
       const auto at = [&](int j) { return pose[index(j)].translation; };

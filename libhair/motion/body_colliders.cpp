@@ -160,7 +160,7 @@ void placeCapsules(const Body& body, std::span<const RigidTransform> worldFromJo
 void makeRoomForHair(const Body& body, const RigidTransform& worldFromHead,
                      std::span<Capsule> capsules) {
   constexpr float kRoom = 0.008f, kLeast = 0.25f;
-  // The hairy part of a head, as two balls.
+  // The scalp, as two spheres.
   const float s = body.size;
   const glm::vec3 skull = worldFromHead.point(s * glm::vec3(0, 0.115f, -0.01f));
   const glm::vec3 face = worldFromHead.point(s * glm::vec3(0, 0.06f, 0.03f));

@@ -22,8 +22,8 @@ struct RoundCone {
   float ra, rb;
 };
 
-/// Distance to the sphere at the nearest place of the axis: exact for capsules, close for cones as
-/// blunt as limbs.
+/// Distance to the sphere at the nearest point of the axis: exact for capsules, close for cones
+/// with the small taper of limbs.
 float distance(const RoundCone& cone, glm::vec3 p) {
   const glm::vec3 axis = cone.b - cone.a;
   const float length2 = glm::dot(axis, axis);
@@ -31,7 +31,7 @@ float distance(const RoundCone& cone, glm::vec3 p) {
   return glm::distance(p, cone.a + t * axis) - glm::mix(cone.ra, cone.rb, t);
 }
 
-/// Union with a fillet: within k of both surfaces they melt, by at most k / 4.
+/// Smooth union: blends within k of both surfaces and adds at most k / 4.
 float meltedUnion(float a, float b, float k) {
   const float h = std::max(k - std::abs(a - b), 0.0f) / k;
   return std::min(a, b) - 0.25f * k * h * h;
@@ -39,7 +39,7 @@ float meltedUnion(float a, float b, float k) {
 
 /// Cones that follow one another with the same radius where they meet.
 using Tube = std::vector<RoundCone>;
-/// Tubes that melt into each other.
+/// Tubes joined by smooth unions.
 using Flesh = std::vector<Tube>;
 
 TriangleMesh surfaceOf(const Flesh& flesh, float k, float cell) {
@@ -65,8 +65,7 @@ TriangleMesh surfaceOf(const Flesh& flesh, float k, float cell) {
       box, cell);
 }
 
-/// The trunk's capsules, thinner by as much as melting fills up between them, and a neck that ends
-/// in the head.
+/// The trunk's capsules, thinner by what the smooth union adds, and a neck that ends in the head.
 Flesh trunkFlesh(const Body& body, const Landmarks& m) {
   const float s = m.size;
   Flesh flesh;
@@ -123,7 +122,7 @@ Flesh legFlesh(const Landmarks& m, std::size_t side) {
 
 }  // namespace
 
-/// How much each joint moves a vertex, before the largest four are chosen.
+/// Skinning weights of a vertex, before the largest four are chosen.
 struct BodyMesh::Weights {
   std::vector<std::pair<int, float>> of;
 
@@ -138,8 +137,8 @@ float step(float middle, float half, float x) {
   return glm::smoothstep(middle - half, middle + half, x);
 }
 
-/// A chain of joints: each carries what is beyond its own place, `at` metres along the chain, and
-/// hands over within ±half of it.
+/// A joint of a chain: it carries what is beyond its position, `at` metres along the chain, and
+/// blends with the previous joint within ±half of it.
 struct Link {
   int joint;
   float at, half;
@@ -155,13 +154,13 @@ void alongChain(std::span<const Link> chain, float u, const Add& add) {
   }
 }
 
-/// Metres along a polyline of the place nearest to p.
+/// Arc length, metres, of the point of a polyline nearest to p.
 float alongLine(std::span<const glm::vec3> line, glm::vec3 p) {
   float best = 1e9f, at = 0, start = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const glm::vec3 axis = line[i + 1] - line[i];
     const float length = glm::length(axis);
-    // The first bone goes on backwards: what is before a limb's joint belongs to the trunk.
+    // Extend the first bone backwards: the region before a limb's joint belongs to the trunk.
     const float t =
         std::clamp(glm::dot(p - line[i], axis) / (length * length), i == 0 ? -1.0f : 0.0f, 1.0f);
     const float d = glm::distance(p, line[i] + t * axis);

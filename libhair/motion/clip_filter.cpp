@@ -18,7 +18,7 @@ class Track {
   }
   std::ptrdiff_t size() const { return static_cast<std::ptrdiff_t>(clip_.frameCount()); }
 
-  /// How frame f lies off the straight way from frame a to frame b: rotation vector, degrees.
+  /// Deviation of frame f from the interpolation of frames a and b: rotation vector, degrees.
   glm::vec3 off(std::ptrdiff_t a, std::ptrdiff_t f, std::ptrdiff_t b) {
     glm::quat d = glm::conjugate(between(a, f, b)) * (*this)[f];
     if (d.w < 0) d = -d;
@@ -36,9 +36,9 @@ class Track {
   std::size_t joint_;
 };
 
-/// How crooked the path is around frames [f, f + n) without them: how far frames lie off their
-/// neighbours, the median, so that another flip nearby does not count. Smooth motion, however fast,
-/// is straight over three frames.
+/// Curvature of the path around frames [f, f + n), excluding them: median deviation of frames from
+/// their neighbours' interpolation, which is robust against another flip nearby. Smooth motion of
+/// any speed is nearly linear over three frames.
 float crookedness(Track& track, std::ptrdiff_t f, std::ptrdiff_t n) {
   std::array<float, 6> off{};
   std::size_t count = 0;
@@ -71,14 +71,14 @@ std::vector<Flip> removeFlips(Clip& clip, const FlipSettings& settings) {
           most = std::max(most, glm::length(off));
         }
         if (least < settings.minDegrees) continue;
-        // It leaves a path and comes back to it: seen from the good frames at both sides, the path
-        // bends towards the bump. A sharp turn or a jump that stays bends one way only.
+        // A flip leaves the path and returns: on both sides the path bends towards the bump. A
+        // sharp turn or a lasting jump bends on one side only.
         const glm::vec3 side = glm::normalize(bump);
         const auto bends = [&](std::ptrdiff_t i) {
           return -glm::dot(track.off(i - 1, i, i + 1), side);
         };
         if (bends(before) < 0.25f * least || bends(after) < 0.25f * least) continue;
-        // The same bend is larger over more frames: second differences go as the square.
+        // Second differences grow with the square of the number of frames.
         const float scale = 0.25f * static_cast<float>((n + 1) * (n + 1));
         if (least < settings.ratio * scale * crookedness(track, f, n)) continue;
         for (std::ptrdiff_t i = f; i < after; ++i) {

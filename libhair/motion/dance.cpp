@@ -10,10 +10,10 @@
 #include <libhair/motion/dance_curves.h>
 #include <libhair/motion/dance_score.h>
 
-// How the score becomes a dance: every column of the score is a curve through its keys, smoothed
-// over a few frames; hips and feet stand where the score says, and the knees follow from them
-// (two bones and a target have one solution in the plane of the knee); the hips sink where a leg
-// would be too short. Arms aim; the spine shares its bend out over three joints.
+// Makes a clip from the score: every column is a curve through its keys, smoothed over a few
+// frames. The score gives hips and feet; knees follow by two-bone inverse kinematics in the plane
+// of the knee; the hips are lowered where a leg is too short. Arms point in given directions; the
+// bend of the spine is distributed over three joints.
 
 namespace hair {
 namespace {
@@ -27,7 +27,7 @@ using score::smoothed;
 using score::throughKeys;
 
 constexpr float kPi = 3.14159265f;
-constexpr float kRound = 720.0f;  ///< degrees that the dancer has turned when the round is over
+constexpr float kRound = 720.0f;  ///< degrees that the dancer turns in one loop
 
 enum Joint : std::uint8_t {
   kHips,

@@ -9,7 +9,7 @@ std::size_t index(int joint) {
   return static_cast<std::size_t>(joint);
 }
 
-/// Mean of where the children of a joint and its tip are, from the joint; zero where none.
+/// Mean position of a joint's children and tip, relative to the joint; zero if it has none.
 glm::vec3 childrenOf(const Body& body, int joint) {
   glm::vec3 sum = body.rest[index(joint)].rotation * body.skeleton.tips[index(joint)];
   float count = glm::length(sum) > 0 ? 1.0f : 0.0f;

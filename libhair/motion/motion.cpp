@@ -12,7 +12,7 @@
 namespace hair {
 namespace {
 
-/// Nothing to repair: made here, not recorded.
+/// Settings without repairs, for clips that are generated, not recorded.
 MotionSettings asAuthored() {
   MotionSettings settings;
   settings.dropLeadIn = settings.removeFlips = false;

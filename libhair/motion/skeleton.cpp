@@ -53,14 +53,14 @@ struct FrameTime {
 FrameTime frameTimeAt(const Clip& clip, double seconds) {
   const std::size_t last = clip.frameCount() - 1;
   const double f = std::clamp(seconds / clip.frameTime, 0.0, static_cast<double>(last));
-  // A time that is meant to be a frame's own must give that frame, whatever rounding did to it.
+  // Snap to a frame's own time, which rounding may have missed.
   const double nearest = std::round(f);
   if (std::abs(f - nearest) < 1e-6) return {static_cast<std::size_t>(nearest), 0.0f};
   const double whole = std::floor(f);
   return {static_cast<std::size_t>(whole), static_cast<float>(f - whole)};
 }
 
-// Beyond it, lengths of a body no longer add up in single precision.
+// Farther away, single precision is too coarse for the lengths of a body.
 constexpr float kFarthest = 1e6f;  // metres
 
 void requireNear(glm::vec3 p, const Bvh::Joint& joint) {
@@ -146,7 +146,7 @@ Clip resample(const Clip& clip, double frameTime) {
   Clip out;
   out.skeleton = clip.skeleton;
   out.frameTime = frameTime;
-  // A frame more than fits whole intervals, where rounding alone would lose the last one.
+  // One more frame than intervals; the tolerance keeps a last one that rounding would lose.
   const std::size_t frames = 1 + static_cast<std::size_t>(clip.duration() / frameTime + 1e-6);
   out.rotations.reserve(frames * clip.skeleton.jointCount());
   out.positions.reserve(frames * clip.skeleton.jointCount());
