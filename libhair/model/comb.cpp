@@ -15,9 +15,8 @@ constexpr float kPi = std::numbers::pi_v<float>;
 
 enum Use : std::uint16_t { Length = 0x200, WavePhase, WaveLength, Lie, Cut, Part, PartingSide };
 
-// What hair falls on below the head: neck, shoulders, chest and back of somebody standing straight
-// with hanging arms, with the capsules that the motion stage gives such a body (fitCapsules), and
-// the same for the other side.
+// Colliders below the head: neck, shoulders, chest and back of a standing body with hanging arms,
+// as fitted by fitCapsules; one side, to be mirrored.
 constexpr std::array<Capsule, 12> kBust = {
     {{{0, -0.115f, -0.015f}, {0, -0.009f, -0.002f}, 0.052f},
      {{0.03f, -0.091f, -0.015f}, {0.096f, -0.122f, -0.013f}, 0.047f},
@@ -64,8 +63,8 @@ struct Growth {
   float length;
 };
 
-// Where hair wants to go at p, with the head's outward normal n: away from the parting over the
-// top, back from the face, down everywhere.
+// Direction of combed hair at p, with the head's outward normal n: away from the parting on top,
+// back from the face, down everywhere.
 glm::vec3 combDirection(const Parting& parting, glm::vec3 p, glm::vec3 n, float distance) {
   const float top = glm::smoothstep(0.0f, 0.9f, n.y);
   const float beside = glm::smoothstep(-0.03f, 0.05f, p.z) * glm::smoothstep(0.06f, 0.15f, p.y);
@@ -73,7 +72,7 @@ glm::vec3 combDirection(const Parting& parting, glm::vec3 p, glm::vec3 n, float 
   d += (0.35f + 1.2f * top) * (p.y > 0.1f ? 1.0f : 0.0f) * awayFromParting(parting, p) *
        glm::smoothstep(0.08f, 0.14f, p.y);
   d += glm::vec3(0, 0, -0.75f * beside);
-  // Out of the face's way before it is there.
+  // Steer away before it reaches the face.
   const float edge = faceEdge(p.y) - azimuth(p);
   const float closeness = glm::smoothstep(-0.35f, 0.1f, edge);
   const glm::vec3 outwards(p.x >= parting.x ? p.z : -p.z, 0, -std::abs(p.x));
@@ -89,7 +88,7 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
             std::uint32_t wisp, float knownLength) {
   const auto random = [&](Use use) { return 2 * uniform(wisp, use, settings.seed) - 1; };
   const float lie = 1 + 0.15f * random(Lie);
-  // Which side of the parting its wisp falls to may be left to chance.
+  // The side of the parting may be chosen at random for each wisp.
   Parting parting = settings.parting;
   parting.x += settings.partingJitter * random(PartingSide);
   if (settings.partingJitter > 0)
@@ -141,7 +140,7 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
     }
     direction = glm::normalize(glm::mix(direction, glm::normalize(wanted), kStep / 0.012f));
     p += kStep * direction;
-    // Keep it outside, a little more at every step so that no corner shows.
+    // Keep it outside, by a clearance that grows with each step, so that no kink shows.
     for (int repeat = 0; repeat < 2; ++repeat) {
       const glm::vec4 now = bodyDistance(headSdf, p);
       if (now.w < clearance) {

@@ -26,8 +26,8 @@ enum Use : std::uint16_t {
   StrandPhase,
 };
 
-// Barycentric coordinates of p's projection onto a triangle, drawn back to the triangle and a
-// little beyond: far outside it, guides that part a little would throw a strand far away.
+// Barycentric coordinates of p's projection onto a triangle, clamped to slightly outside it:
+// farther out, extrapolation would amplify small differences between guides.
 glm::vec3 wispWeights(glm::vec3 p, const std::array<glm::vec3, 3>& t) {
   const glm::vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
   const float d00 = glm::dot(ab, ab), d01 = glm::dot(ab, ac), d11 = glm::dot(ac, ac);
@@ -55,8 +55,8 @@ bool guidesPart(const Groom& groom, std::uint32_t wisp) {
   return false;
 }
 
-// What sets one strand apart from its wisp, in the frame of its main guide, at share u of its
-// length; `along` is metres from the root.
+// Offset of one strand from its wisp, in the frame of its main guide, at the fraction u of its
+// length.
 glm::vec3 deviation(const StyleSettings& settings, std::uint32_t strand, float u) {
   const auto random = [&](Use use) { return uniform(strand, use, settings.seed); };
   const float angle = kTurn * random(DeviationAngle);
@@ -99,7 +99,7 @@ void fillWisps(const StyleSettings& settings, const MeshSdf* headSdf, std::uint3
   groom.weights.resize(strands);
   groom.offsets.resize(strands * n);
 
-  // What strands share: curves, frames and lengths of the guides.
+  // Precompute curves, frames and lengths of the guides, shared by all strands.
   std::vector<glm::vec3> curves(groom.guideCount() * n);
   std::vector<glm::mat3> frames(groom.guideCount() * n);
   std::vector<float> guideLength(groom.guideCount());

@@ -139,7 +139,7 @@ float scalpMask(vec3 point) {
 }
 
 Head builtinHead() {
-  // Cells are finer where the face is: the grid is regular in a space that `bent` maps to the head.
+  // Cells are finer at the face: the grid is regular in a space that `bent` maps to the head.
   const Bounds grid{{-0.1f, -0.175f, -0.13f}, {0.1f, 0.165f, 0.13f}};
   const auto bent = [](vec3 q) {
     const auto about = [](float v, float reach) {

@@ -55,7 +55,7 @@ Sphere fitSphere(std::span<const glm::vec3> points) {
           static_cast<float>(std::sqrt(std::max(x[3] + glm::dot(centre, centre), 0.0)))};
 }
 
-// What the built-in head's scalp gives for the same measure.
+// fitSphere of the built-in head's scalp.
 Sphere builtinScalp(const Head& head) {
   std::vector<glm::vec3> scalp;
   for (glm::vec3 p : head.mesh.positions)
@@ -89,11 +89,11 @@ HeadFit fitHeadToRoots(std::span<const glm::vec3> hairRoots) {
   const MeshSdf sdf(fit.head.mesh, 0.005f, 0.05f);
   const Sphere scalp = builtinScalp(fit.head), roots = fitSphere(hairRoots);
 
-  // The distances of the roots to the head, with the roots scaled and moved onto it,
+  // Minimise the distances d of the scaled and shifted roots to the head,
   //   q = scale * (p - roots.centre) + scalp.centre + shift,
-  // are made small by Levenberg-Marquardt steps in the six unknowns, from the two spheres. Far
-  // roots (a stray, a beard) count for less: cost sum c^2 log(1 + (d / c)^2), weights
-  // 1 / (1 + (d / c)^2). A weak pull back to the spheres decides what the roots leave open.
+  // by Levenberg-Marquardt steps in the six unknowns, starting from the two spheres. Outliers (a
+  // stray, a beard) get less weight: cost sum c^2 log(1 + (d / c)^2), weights 1 / (1 + (d / c)^2).
+  // A weak regularisation towards the spheres fixes unknowns that the roots do not determine.
   struct Unknowns {
     glm::dvec3 scale, shift;
   };
@@ -145,7 +145,7 @@ HeadFit fitHeadToRoots(std::span<const glm::vec3> hairRoots) {
     }
   }
 
-  // The hair keeps its size: it is the head that is scaled, about its origin.
+  // The hair keeps its size: scale the head instead, about its origin.
   const glm::vec3 bigger(1.0 / now.scale);
   for (std::size_t v = 0; v < fit.head.mesh.positions.size(); ++v) {
     fit.head.mesh.positions[v] *= bigger;

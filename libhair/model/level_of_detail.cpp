@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kSharesAHalving = 8;
 
-// Every third bit of a word of 30 from ten.
+// Spreads ten bits to every third bit of 30.
 std::uint32_t spreadBits(std::uint32_t v) {
   v = (v | v << 16) & 0x030000ffu;
   v = (v | v << 8) & 0x0300f00fu;
@@ -24,14 +24,14 @@ std::uint32_t spreadBits(std::uint32_t v) {
   return (v | v << 2) & 0x09249249u;
 }
 
-// Where a root stands on the space-filling curve through the box (Morton 1966).
+// Index of a root on the Morton curve through the box (Morton 1966).
 std::uint32_t placeOnCurve(glm::vec3 p, const Bounds& box) {
   const glm::vec3 size = glm::max(box.size(), glm::vec3(1e-9f));
   const glm::uvec3 q(glm::clamp((p - box.lower) / size, 0.0f, 1.0f) * 1023.0f);
   return spreadBits(q.x) | spreadBits(q.y) << 1 | spreadBits(q.z) << 2;
 }
 
-// 0, 1/2, 1/4, 3/4, 1/8 ...: any first part of the sequence is spread evenly.
+// 0, 1/2, 1/4, 3/4, 1/8 ...: every prefix of the sequence is evenly distributed.
 float vanDerCorput(std::uint32_t i) {
   std::uint32_t reversed = 0;
   for (int bit = 0; bit < 32; ++bit) reversed |= (i >> bit & 1u) << (31 - bit);
@@ -53,7 +53,7 @@ glm::vec3 pointAt(std::span<const glm::vec3> points, float at) {
   return points[i] + (at - static_cast<float>(i)) * (points[i + 1] - points[i]);
 }
 
-// What a strand is with fewer segments.
+// Error and length of a strand with fewer segments.
 struct Reduced {
   double squares = 0;  // of its points' distances, summed up
   double length = 0;
@@ -76,7 +76,7 @@ bool positive(float x) {
   return x > 0 && std::isfinite(x);
 }
 
-// Where the table has a share of points: entry and fraction.
+// Position of a share of points in the table: entry and fraction.
 float entryOf(float points, std::size_t entries) {
   return std::clamp(-kSharesAHalving * std::log2(std::max(points, 1e-30f)), 0.0f,
                     static_cast<float>(entries - 1));
@@ -118,7 +118,7 @@ GroomDetail::GroomDetail(const Groom& groom) : fibreWidth(groom.fibre.width) {
           " offsets, or strands of fewer than 2 points");
   std::vector<glm::vec3> roots(strands);
   length.resize(strands);
-  // Tables of some strands say enough of all.
+  // A sample of about 1024 strands represents all.
   const std::size_t step = strands / 1024 + 1;
   std::vector<std::array<Reduced, kShares>> some(strands / step + 1);
   parallelFor(strands, 64, [&](std::size_t begin, std::size_t end) {
@@ -158,7 +158,7 @@ GroomDetail::GroomDetail(const Groom& groom) : fibreWidth(groom.fibre.width) {
     const double count = std::ceil(static_cast<double>(strands) / static_cast<double>(step));
     deviation_[i] = count > 0 ? static_cast<float>(std::sqrt(squares / count)) : 0.0f;
     lengthKept_[i] = whole > 0 ? static_cast<float>(kept / whole) : 1.0f;
-    // Fewer points are farther off but for chance, and what is asked of the table needs an order.
+    // Make the table monotonic, which look-ups need; only chance makes fewer points more accurate.
     if (i > 0) deviation_[i] = std::max(deviation_[i], deviation_[i - 1]);
   }
 }
@@ -172,7 +172,7 @@ float GroomDetail::lengthKept(float points) const {
 }
 
 float GroomDetail::pointsFor(float deviation) const {
-  // From half of a hair's width on, and rising from nothing there: the step would be seen.
+  // Ignore deviations up to half a hair's width; subtract it, so that there is no visible step.
   const float off = std::max(deviation - 0.5f * fibreWidth, 0.0f);
   const auto above = std::upper_bound(deviation_.begin(), deviation_.end(), off);
   if (above == deviation_.begin()) return 1;
@@ -205,8 +205,7 @@ LevelOfDetail levelFor(const GroomDetail& detail, float pixels, float importance
   const float pixel = kHeadHeight / seen;
   const auto all = static_cast<float>(std::max<std::size_t>(detail.strandCount(), 1));
   LevelOfDetail level;
-  // Hair is crossed by about as many strands a pixel at any size then, and the noise of those that
-  // are left out is as strong.
+  // Keeps the number of strands a pixel, and so the noise of omitted strands, constant at any size.
   level.strands = std::min(std::max(settings.strandsPerPixel * seen, 1.0f) / all, 1.0f);
   level.fade = settings.fade;
   level.points = detail.pointsFor(settings.pixelsOff * pixel);

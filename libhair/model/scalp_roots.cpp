@@ -15,7 +15,8 @@ constexpr double kCrownDensity = 0.3;  // 1.4 times the mean there, 0.8 times at
 
 enum Use : std::uint16_t { JitterAlong = 0x100, JitterAcross, Thin, FirstCentre };
 
-// Cells are measured where both sides of the parting are pulled apart, so that none spans it.
+// Distances between cells are measured with both sides of the parting moved apart, so that no cell
+// spans it.
 glm::vec3 pulledApart(const Parting& parting, glm::vec3 p) {
   const float ahead = glm::smoothstep(parting.whorlZ - 0.01f, parting.whorlZ + 0.015f, p.z);
   const float top = glm::smoothstep(0.12f, 0.15f, p.y);
@@ -67,7 +68,7 @@ std::vector<glm::vec3> scalpRoots(const MeshSdf& headSdf, std::uint32_t count, s
   // Lattice of n directions; index i spirals from the crown downwards.
   const auto onHead = [&](std::uint32_t i, std::uint32_t n) {
     const float spacing = 3.5f / std::sqrt(static_cast<float>(n));  // radians
-    // Denser towards the crown, whose hair lies over all other and is seen the most.
+    // Denser towards the crown, whose hair lies on top and is most visible.
     const double x = (i + 0.5) / n;
     const double up =
         1 - 2 * (x - kCrownDensity * std::sin(2 * std::numbers::pi * x) / (2 * std::numbers::pi));
@@ -134,7 +135,7 @@ WispCells wispCells(const MeshSdf& headSdf, std::span<const glm::vec3> roots,
     for (std::size_t i = begin; i < end; ++i)
       cells.wisp[i] = nearestTo(pulledApart(parting, roots[i]), centres);
   });
-  // Back to the head: the middle of a cell's own samples, where they are.
+  // Project back to the head: the mean of a cell's samples, at their original positions.
   std::vector<glm::vec4> sum(wispCount, glm::vec4(0));
   for (std::size_t i = 0; i < samples.size(); ++i) sum[cell[i]] += glm::vec4(samples[i], 1);
   for (std::uint32_t w = 0; w < wispCount; ++w)
