@@ -34,7 +34,7 @@ void parseChannels(TextReader& in, Bvh& bvh, Bvh::Joint& joint) {
   in.expect(joint.channels.empty(), "joint '", joint.name, "' has a second CHANNELS");
   const std::string_view countWord = in.word();
   const long long count = in.toInteger(countWord, "count of channels");
-  // The names stand in the same line, so a bad count runs out of words and cannot allocate.
+  // The names are in the same line, so a bad count runs out of words and cannot allocate.
   in.expect(count >= 0, "count of channels is ", count);
   for (long long c = 0; c < count; ++c) {
     const std::string_view word = in.word();
@@ -125,7 +125,7 @@ void parseMotion(TextReader& in, Bvh& bvh) {
   in.expect(bvh.frameTime > 0, "Frame Time: ", bvh.frameTime, " is not above zero");
   expectLineDone(in);
 
-  // A number and what parts it from the next are two bytes at least.
+  // A number and its separator take at least two bytes.
   const auto frameCount = static_cast<std::size_t>(frames);
   const std::size_t room = (in.left() + 1) / 2;
   in.expect(bvh.channelCount == 0 || frameCount <= room / bvh.channelCount, "Frames: ", frames,

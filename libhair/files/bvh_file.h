@@ -14,12 +14,12 @@
 
 namespace HAIR_API hair {
 
-/// Motion capture as a BVH file holds it: a tree of joints and one row of numbers a frame.
+/// Contents of a BVH motion capture file: a tree of joints and one row of numbers a frame.
 ///
-/// Units are the file's own, untouched: offsets and positions mostly centimetres, rotations
-/// degrees. Whoever makes transforms of them converts (motion/: 0.01 to metres).
+/// Units are the file's own: offsets and positions mostly centimetres, rotations degrees. Convert
+/// them when making transforms (motion/: 0.01 to metres).
 struct Bvh {
-  /// What one number of a row means.
+  /// Meaning of one number of a row.
   enum class Channel : std::uint8_t {
     Xposition,  ///< along X, the file's unit
     Yposition,  ///< along Y, the file's unit

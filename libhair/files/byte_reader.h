@@ -22,9 +22,9 @@ std::ifstream openFile(const std::filesystem::path& file);
 /// The whole file. Throws Error where it is not found, not readable, no regular file, or empty.
 std::string readWholeFile(const std::filesystem::path& file);
 
-/// Little-endian numbers out of bytes in memory. No read passes the end and no count out of a
-/// header is believed before it is compared with the bytes that are left, so a bad file can never
-/// decide an allocation. Every failure is an Error that names file, byte and cause.
+/// Reads little-endian numbers from bytes in memory. Checks every read against the end, and every
+/// count of a header against the bytes left, so that a bad file cannot cause a large allocation.
+/// Throws Error that names file, byte and cause.
 class ByteReader {
  public:
   /// `name` names the file in messages; `bytes` must outlive the reader.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-// What a vertex is joined to, and which way.
+// Neighbours of a vertex, and directions of its edges.
 struct Vertex {
   std::array<std::uint32_t, 2> next = {kNone, kNone};
   std::uint8_t starting = 0;  // edges that start here

@@ -8,7 +8,7 @@
 
 namespace hair {
 
-/// Strands as chains of edges between numbered vertices, as programs for meshes keep them.
+/// Strands as chains of edges between numbered vertices, as in mesh programs.
 struct EdgeChains {
   std::vector<std::uint32_t> vertices;     ///< root to tip, strand after strand
   std::vector<std::uint32_t> first = {0};  ///< [strandCount + 1]

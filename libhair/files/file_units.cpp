@@ -1,4 +1,4 @@
-// Units and axes of files: by name, in words, and into the library's.
+// Units and axes of files: parses and prints them, and converts to the library's.
 #include <libhair/files/file_units.h>
 
 #include <array>

@@ -7,7 +7,7 @@
 
 namespace hair {
 
-/// What formats that state no units say where they have room for words (the info text of .hair, a
+/// Text that states units and axes in formats without fields for them (the info text of .hair, a
 /// comment of .ply and .obj): "libhair: metres, +Y up, +Z face", or "libhair: 0.01 m a unit, ...".
 std::string unitsText(float scale, UpAxis up);
 

@@ -8,9 +8,9 @@
 
 namespace hair {
 
-/// The finite float nearest to a decimal number; nothing where the word is no number or beyond all
-/// floats. One rounding and not two (through a double), so that the shortest digits of a float give
-/// the float again. Numbers too small for a float (1e-50) are the nearest one, mostly zero.
+/// The finite float nearest to a decimal number; nullopt if the word is not a number or overflows.
+/// Rounds once, not twice through a double, so that the shortest digits of a float round-trip.
+/// Underflow (1e-50) gives the nearest float, mostly zero.
 inline std::optional<float> floatFromText(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   float value = 0;

@@ -9,7 +9,7 @@
 
 namespace HAIR_API hair {
 
-/// What became of the faces of an OBJ file.
+/// Statistics of the faces of an OBJ file.
 struct ObjReport {
   std::size_t faces = 0;    ///< in the file
   std::size_t split = 0;    ///< got vertices of their own: an edge of theirs has two faces already
@@ -19,7 +19,7 @@ struct ObjReport {
 /// Reads the faces of an OBJ file, triangulated, with smooth normals (target hair::model).
 /// Vertex v of the file is positions[v]; vertices of split faces follow after them. Groups,
 /// materials, texture coordinates and the file's normals are left alone.
-/// Units and axes are taken as they stand: metres, +Y up; pass others through `convertUnits`.
+/// Assumes metres, +Y up; convert others by `convertUnits`.
 /// Throws Error (file, line, cause).
 TriangleMesh readObj(const std::filesystem::path& file, ObjReport* report = nullptr);
 

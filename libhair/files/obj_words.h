@@ -8,8 +8,7 @@
 
 namespace hair {
 
-/// What a reader of OBJ files does with a line after its first word. Coordinates from here on are
-/// beyond all scales.
+/// Helpers to parse lines of OBJ files. Coordinates of this magnitude or more are rejected.
 inline constexpr float kObjFarthest = 1e8f;
 
 /// The next word of a line, which may go on in the next one behind a `\`; empty at its end.

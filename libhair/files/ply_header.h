@@ -11,7 +11,7 @@
 
 namespace hair {
 
-/// What the first lines of a PLY file say of what follows.
+/// Contents of a PLY header.
 struct PlyHeader {
   enum class Type : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
   struct Property {
@@ -23,9 +23,9 @@ struct PlyHeader {
     std::string name;
     std::size_t count = 0;
     std::vector<Property> properties;
-    /// -1: there is none
+    /// Index of a property by name; -1: none.
     int find(std::string_view property) const;
-    /// Bytes that one takes at least; lists may be empty.
+    /// Least size of an element, bytes; lists may be empty.
     std::size_t leastBytes() const;
   };
 
@@ -33,7 +33,7 @@ struct PlyHeader {
   float scale = 1;  ///< metres a unit, of our comment
   UpAxis up = UpAxis::Y;
   std::vector<Element> elements;  ///< in the order of the file
-  std::size_t bytes = 0;          ///< where they begin
+  std::size_t bytes = 0;          ///< offset of the elements
 };
 
 std::size_t plyTypeBytes(PlyHeader::Type type);

@@ -41,7 +41,7 @@ struct ReadOptions {
   UpAxis up = UpAxis::AsFile;  ///< the file's axes
 };
 
-/// Strands of any format, converted, and what was done to them.
+/// Strands of any format after conversion, with the units and axes of the file.
 struct StrandFile {
   StrandSet strands;                ///< metres, +Y up, +Z face; short strands are kept
   std::string format = "hair";      ///< the extension: "hair", "tfx", "usda" ...
@@ -72,9 +72,9 @@ StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& opt
 /// Picks the format by the extension and writes a whole file or nothing, in metres, +Y up, or as
 /// `options` say; .hair, .ply, .obj and .usda state it, and readStrands understands. In metres, +Y
 /// up, the points read back are the same bits.
-/// What a format cannot hold is an Error with a way out: strands of unequal numbers of points in
-/// .tfx, of fewer than two in .usda, of none in all but .data; other axes than +Y up and +Z up, -Y
-/// face in .usda. Arrays it cannot hold are left out (lossOf).
+/// Throws Error, with a remedy, for strands that a format cannot hold: unequal numbers of points in
+/// .tfx, fewer than two in .usda, none in all but .data; other axes than +Y up and +Z up, -Y face
+/// in .usda. Omits arrays that it cannot hold (lossOf).
 void writeStrands(const std::filesystem::path& file, StrandView strands,
                   const WriteOptions& options = {});
 /// The same with all optional arrays and defaults.
@@ -86,15 +86,15 @@ std::string strandFormats();
 /// By the extension.
 bool isStrandFile(const std::filesystem::path& file);
 
-/// What of these strands a file of that name leaves out: "thickness, colours"; empty: nothing.
+/// Arrays of these strands that a file of that name omits: "thickness, colours"; empty: none.
 std::string lossOf(const std::filesystem::path& file, const StrandFile& strands);
 
 /// Which strands have at least `minPoints` points and `minLength` metres.
 std::vector<std::uint32_t> soundStrands(StrandView strands, float minLength = 1e-3f,
                                         std::size_t minPoints = 2);
 
-/// Removes all but the sound strands; returns how many went. Loaders keep what a file says;
-/// simulation and drawing want strands with a direction. Of a StrandFile the arrays follow.
+/// Removes all but the sound strands; returns the number removed. Loaders keep all strands of a
+/// file; simulation and drawing need strands with a direction.
 std::size_t dropDegenerate(StrandSet& strands, float minLength = 1e-3f, std::size_t minPoints = 2);
 /// The same for a file's strands and all of its arrays.
 std::size_t dropDegenerate(StrandFile& file, float minLength = 1e-3f, std::size_t minPoints = 2);

@@ -69,7 +69,7 @@ void expectGood(const std::ios& stream, const fs::path& file) {
           ": cannot write: ", errno != 0 ? std::strerror(errno) : "unknown cause");
 }
 
-// Hidden, beside the file that is meant, and of no name that somebody else may have given.
+// A hidden file in the same folder, with a unique name.
 fs::path scratchName(const fs::path& file, const PendingFile& whole) {
   return fs::path(file).replace_filename(whole.path().stem() += ".extent");
 }

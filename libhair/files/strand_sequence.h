@@ -11,12 +11,12 @@
 
 namespace HAIR_API hair {
 
-/// Moving strands in files, frame after frame, in the memory of one frame:
+/// Animated strands in files, read and written frame by frame in the memory of one frame:
 ///   shot.usda       one file, a time sample a frame
 ///   shot.####.hair  a file a frame in any format of strands; #### is where its number goes, in at
 ///                   least as many digits
 
-/// Whether a name stands for numbered files.
+/// Whether a name is a pattern for numbered files.
 bool isNumbered(const std::filesystem::path& file);
 /// Whether more than one frame goes under this name: it is numbered, or of a format that moves.
 bool holdsSequence(const std::filesystem::path& file);
@@ -30,8 +30,8 @@ struct SequenceOptions {
   long long firstFrame = 0;  ///< number, or time code, of the first frame
 };
 
-/// Writes one frame after another. Numbered files appear as they are written, each whole. One file
-/// appears under its name at `close`: before that, or without it, what stood there stays.
+/// Writes frames in sequence. Each numbered file appears, complete, when it is written. A single
+/// file appears at `close`; until then, or without it, an existing file is kept.
 class StrandSequenceWriter {
  public:
   /// Throws Error where the format is unknown, or holds one frame only and the name has no #.
@@ -53,11 +53,12 @@ class StrandSequenceWriter {
   /// After the last frame; none is an Error. Throws Error.
   void close();
 
-  /// What changed from frame to frame but is kept as in the first: "thickness, colours"; empty:
-  /// nothing. Numbered files hold their own.
+  /// Arrays that changed between frames but are written as in the first: "thickness, colours";
+  /// empty: none. Numbered files have their own.
   std::string keptAsFirst() const;
-  /// Numbered files of this name that are there and not of this writer, of an earlier run that was
-  /// longer: whoever reads the sequence takes them for frames of it. In the order of their numbers.
+  /// Existing numbered files of this name that this writer did not write, such as of a longer
+  /// earlier run: readers would take them for frames of this sequence. In the order of their
+  /// numbers.
   std::vector<std::filesystem::path> otherFrames() const;
 
  private:
@@ -81,9 +82,9 @@ class StrandSequenceReader {
   /// Of a frame: the time code that a .usda file states, the number of a numbered file, or 0.
   /// Always rising, not always evenly.
   double timeCode(std::size_t frame) const;
-  /// What a .usda file that moves says; 0 in others, which do not say.
+  /// Time codes a second of an animated .usda file; 0 for others, which do not state it.
   double codesPerSecond() const;
-  /// When a frame is, seconds: what a .usda file says; 0 in numbered files, which do not say.
+  /// Time of a frame in a .usda file, seconds; 0 for numbered files, which do not state it.
   double seconds(std::size_t frame) const;
   /// Replaces `strands`, whose memory is used again. Throws Error.
   void read(std::size_t frame, StrandFile& strands);

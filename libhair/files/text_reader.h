@@ -11,8 +11,8 @@
 
 namespace hair {
 
-/// Words out of text in memory, line by line. Lines end with LF, CR LF or CR, mixed as they come;
-/// words are parted by spaces and tabs. Every failure is an Error that names file, line and cause.
+/// Reads words from text in memory, line by line. Lines end with LF, CR LF or CR, in any mixture;
+/// spaces and tabs separate words. Throws Error that names file, line and cause.
 class TextReader {
  public:
   /// `name` names the file in messages; `bytes` must outlive the reader.

@@ -11,8 +11,8 @@
 
 namespace hair {
 
-/// Text into a stream, in large pieces. Numbers have the fewest digits that read back to the same
-/// bits; they never depend on a locale. What failed is for who owns the stream to ask.
+/// Buffered text output to a stream. Numbers have the fewest digits that read back to the same
+/// bits, independent of the locale. The owner of the stream checks it for errors.
 class TextWriter {
  public:
   explicit TextWriter(std::ostream& out) : out_(out) {}

@@ -24,15 +24,14 @@ namespace hair {
 ///   primvars:displayOpacity             UsdGeomGprim, 1 - transparency; vertex or constant
 ///   extent                              UsdGeomBoundable: corners of all points, with half the
 ///                                       largest width around them; animated with the points
-///   metersPerUnit, upAxis               UsdGeom stage metrics; fallbacks 0.01 and "Y". "Z" is
-///   taken
+///   metersPerUnit, upAxis               UsdGeom stage metrics; fallbacks 0.01 and "Y". "Z" is read
 ///                                       as +Z up, -Y face
 ///   startTimeCode, endTimeCode,         UsdStage
 ///   timeCodesPerSecond, framesPerSecond
 
-/// Where the one BasisCurves prim of a file keeps what, found in one pass; then any frame.
-/// Memory: a place a frame, and of the file a block at a time. Other prims, relationships,
-/// dictionaries, variants and what references would bring are passed over. Throws Error (file,
+/// Locates the attributes of a file's BasisCurves prim in one pass; then reads any frame. Memory:
+/// an offset a frame, and one block of the file. Skips other prims, relationships, dictionaries,
+/// variants and references. Throws Error (file,
 /// line, cause): binary files (.usdc), cubic or periodic curves, transforms, indexed primvars and a
 /// second BasisCurves are refused.
 class UsdaReader {

@@ -11,9 +11,8 @@
 
 namespace hair {
 
-/// The words of a USD text file (`.usda`), out of a stream, a block at a time: memory does not grow
-/// with the file. It can go back to a place it has been at. Every failure is an Error that names
-/// file, line and cause.
+/// Tokeniser of USD text files (`.usda`). Reads a stream in blocks, so that memory does not grow
+/// with the file, and can seek back. Throws Error that names file, line and cause.
 class UsdaScanner {
  public:
   struct Place {
@@ -45,7 +44,7 @@ class UsdaScanner {
   /// From behind an opening bracket to behind the one that closes it.
   void skipBrackets();
 
-  /// A finite number, in a hurry: for arrays.
+  /// A finite number; fast path for arrays.
   float number(std::string_view what);
   double real(std::string_view what);
   long long integer(std::string_view what);
