@@ -7,10 +7,10 @@
 #include <libhair/core/error.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
-// What the operations share. Each one changes corners of some layers, loosely, and `rejoin` makes
-// vertices of them again: two corners are one vertex where they were one, stand on one, and their
-// faces are joined edge to edge. So a split goes on upward by itself, and no vertex is left that
-// joins faces at a point only.
+// Shared by the operations. Each changes corners of some layers without regard to vertices;
+// `rejoin` then rebuilds the vertices: two corners share a vertex if they did before, stand on the
+// same vertex below, and their faces are connected edge to edge. So splits propagate upward, and no
+// vertex joins faces only at a point.
 namespace hair {
 
 /// Runs `edit` on a copy: `mesh` changes when the copy is valid, or not at all.
@@ -39,13 +39,13 @@ struct CornerTable {
   explicit CornerTable(const HairMesh& mesh);
 };
 
-/// Edges of the layer whose corners have these vertices (or any names for them), ordered by a, b.
+/// Edges of the layer whose corners have these vertices (or any labels), ordered by a, b.
 std::vector<LayerEdge> edgesOf(const CornerTable& table, std::span<const std::uint32_t> vertices);
 
 /// The edge between two vertices, nullptr if there is none.
 const LayerEdge* findEdge(std::span<const LayerEdge> edges, std::uint32_t a, std::uint32_t b);
 
-/// Sets that grow together; the name of each is its least member.
+/// Disjoint sets (union-find); each is represented by its least member.
 class JoinedSets {
  public:
   explicit JoinedSets(std::size_t size);

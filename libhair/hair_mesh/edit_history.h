@@ -8,14 +8,14 @@
 
 namespace HAIR_API hair {
 
-/// A hair mesh and its last edits, to go back and forth between. A step is a whole mesh, so memory
-/// is bounded by maxSteps + 1 meshes; the oldest step goes when there are more.
+/// Undo history of a hair mesh. A step is a full copy of the mesh, so memory is bounded by
+/// maxSteps + 1 meshes; beyond that the oldest step is dropped.
 class HairMeshHistory {
  public:
   /// Throws Error if `mesh` is not valid.
   explicit HairMeshHistory(HairMesh mesh, std::size_t maxSteps = 100);
 
-  /// The mesh as it is now.
+  /// The current mesh.
   const HairMesh& current() const { return steps_[at_]; }
 
   /// One step: any number of operations, and places moved by hand. What was undone before is gone.

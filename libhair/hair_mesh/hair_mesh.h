@@ -41,10 +41,10 @@ struct PolygonMesh {
 /// F_j^0 and ends in F_j^{n_j}. Corner i of F_j^k goes on as corner i of F_j^{k+1}: a corner is a
 /// chain through the layers, and all layers share one numbering of corners, [cornerCount]. A vertex
 /// has one vertex below it and may have several above: bundles that share a vertex in one layer may
-/// have parted in the next, and never meet again.
+/// be separate in the next, and never join again.
 ///
-/// Every vertex is a corner of a face; `validate` checks all that is said here. Space: head space,
-/// metres, as Groom. It is a value: copying it is how an edit is undone.
+/// Every vertex is a corner of a face; `validate` checks all these constraints. Space: head space,
+/// metres, as Groom. Value type: copy it to undo an edit.
 struct HairMesh {
   /// One layer: its vertices, and the faces that they make.
   struct Layer {
@@ -97,7 +97,7 @@ std::uint32_t rootOf(const HairMesh& mesh, std::size_t layer, std::uint32_t vert
 /// that no face uses are left out. Throws Error if the result is not valid (validate).
 HairMesh makeHairMesh(const PolygonMesh& scalp);
 
-/// What breaks the constraints of section 3.1, and where, in one sentence ("layer 2, face of bundle
+/// First violation of the constraints of section 3.1, in one sentence ("layer 2, face of bundle
 /// 7: ..."); empty for a valid mesh. Checked in this order:
 /// - arrays: sizes, offsets, indices, at least 3 sides, no vertex twice in a face, finite
 /// positions;

@@ -142,9 +142,9 @@ void InteriorPlacement::assemble(const HairMesh& mesh) {
   }
 }
 
-// E knows only differences along a layer's edges of moves from layer to layer; so from the scalp
-// up, moves that leave E alone are those that shift each joined part of each layer as one. Where a
-// part has a held vertex, that shift is none.
+// E depends only on differences, along a layer's edges, of the displacement between layers. So it
+// is invariant under translations of each connected part of each layer. A part with a fixed vertex
+// cannot translate.
 void InteriorPlacement::findIslands(const HairMesh& mesh) {
   std::vector<std::uint32_t> parent(number_.size());
   std::iota(parent.begin(), parent.end(), 0u);

@@ -5,20 +5,20 @@
 
 namespace HAIR_API hair {
 
-/// When to stop.
+/// Termination of the solver.
 struct PlacementSettings {
-  /// How far, beside the mesh's size (the diagonal of the box around the vertices that are held), a
-  /// free vertex may still be from where its neighbours want it (root mean square); above 0.
+  /// Residual: root mean square distance of free vertices from equilibrium with their neighbours,
+  /// relative to the diagonal of the box around the fixed vertices; above 0.
   float tolerance = 1e-8f;
   std::uint32_t maxIterations = 0;  ///< 0: as many as there are free vertices, at most 10,000
 };
 
-/// How the solver ended.
+/// Result of the solver.
 struct PlacementResult {
   std::uint32_t iterations = 0;  ///< of conjugate gradients
-  float residual = 0;            ///< what is left, in the unit of PlacementSettings::tolerance
+  float residual = 0;            ///< as PlacementSettings::tolerance
   bool converged = true;         ///< residual <= tolerance
-  bool unique = true;  ///< false: there are layers that nothing holds; they keep their centroid
+  bool unique = true;  ///< false: some layers have no fixed vertex; they keep their centroid
 };
 
 /// Places interior vertices (Yuksel et al. 2009, section 3.3): of all places of the vertices that
@@ -31,16 +31,16 @@ struct PlacementResult {
 /// between two bundles counts for both. Quads that one bundle has move nothing, all four of their
 /// vertices being exterior, so that counting each quad once has the same minimum.
 ///
-/// E is the same quadratic in x, y and z: one symmetric matrix of whole numbers, made here, once,
-/// from topology and pins. An edit of places costs its right-hand side and conjugate gradients
-/// (Shewchuk 1994, preconditioned by the diagonal) from where the vertices are. The gradients are
-/// double: the condition of the matrix grows with the squares of the numbers of layers and
-/// of faces across, and in float the residual would be lost before the far end of a drag is
-/// reached. One thread: the same bits on every machine.
+/// E is the same quadratic form in x, y and z: one symmetric integer matrix, assembled once from
+/// topology and pins. After an edit of positions only the right-hand side and conjugate gradients
+/// (Shewchuk 1994, Jacobi preconditioner), started from the current positions, are needed. They use
+/// double: the condition number grows with the squares of the numbers of layers and of faces
+/// across, and in float the residual would vanish in rounding before a large drag has converged.
+/// One thread: the same bits on every machine.
 ///
-/// "Unique minimum", says the paper. It is, unless all vertices of a layer that are joined are free
-/// (a layer inside, around a closed scalp): E stays the same when they shift together. Such layers
-/// keep their centroid.
+/// The paper calls the minimum unique. It is, unless all vertices of a connected part of a layer
+/// are free (an inner layer around a closed scalp): E is invariant under their common translation.
+/// Such layers keep their centroid.
 class InteriorPlacement {
  public:
   /// Throws Error if `mesh` is not valid.

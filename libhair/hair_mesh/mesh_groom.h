@@ -8,7 +8,7 @@
 
 namespace HAIR_API hair {
 
-/// How a hair mesh becomes guides.
+/// Settings of the conversion of a hair mesh to a groom.
 struct MeshGroomSettings {
   /// 3 to kMaxGuidePoints; 0: as many as there are layers, so that links are about as long as the
   /// edges that they stand for, but 16 at least.
@@ -19,9 +19,9 @@ struct MeshGroomSettings {
   std::vector<std::uint32_t> tied = {};
 };
 
-/// Makes hair of a hair mesh move (Yuksel et al. 2009, section 4): its chains are the guides, with
-/// links of equal length along the spline that strands follow too, and every strand hangs on the
-/// chains at the corners of its face.
+/// Converts a hair mesh to a groom for simulation (Yuksel et al. 2009, section 4): its chains are
+/// the guides, with links of equal length along the same spline as strands, and every strand
+/// follows the chains at the corners of its face.
 ///
 /// `roots` and `strands` are those of the groups, one after the other: as many roots as strands,
 /// the strands styled or not (head space). Deviation: of a face's corners the three of most weight

@@ -6,13 +6,13 @@
 #include <libhair/hair_mesh/hair_mesh.h>
 
 // Topological operations (Yuksel et al. 2009, section 3.2). Each takes a valid mesh and leaves one,
-// or throws Error with the reason and changes nothing. New vertices get places; who wants interior
-// ones where the surface wants them calls placeInterior afterwards. Layers above the scalp only:
-// the root layer is the scalp's, and no operation but smooth subdivision moves a vertex of it.
+// or throws Error with the reason and changes nothing. New vertices get positions; call
+// placeInterior afterwards to optimise interior ones. Layers above the scalp only: the root layer
+// is the scalp's, and only smooth subdivision moves its vertices.
 //
-// Vertices keep their numbers as far as can be: of a vertex that parts, the first of its fans of
-// faces keeps the number and others come last in the layer; where vertices go, numbers behind them
-// close up. Faces that only a point would hold together part there as well.
+// Vertices keep their indices where possible: of a vertex that splits, the first of its fans of
+// faces keeps the index and others are appended to the layer; indices behind removed vertices move
+// down. Faces connected only at a point are separated too.
 namespace HAIR_API hair {
 
 /// Between two neighbouring corners of one layer, in either order.

@@ -48,7 +48,7 @@ class Candidates {
 
   /// False: it is not in the face. Else its weights and place.
   bool at(std::uint32_t number, std::span<float> weights, glm::vec3& place) const {
-    // Jitter as wide as what is between the candidates so far: no rows are seen, and no gaps.
+    // Jitter by the spacing of the candidates so far, which hides rows without leaving gaps.
     const double i = number, jitter = 0.7 / std::sqrt(i + 1);
     const std::uint32_t key = keyOf(bundle_, number);
     const glm::dvec2 offset(uniform(key, JitterX, seed_) - 0.5f,

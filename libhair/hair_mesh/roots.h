@@ -7,10 +7,10 @@
 
 namespace HAIR_API hair {
 
-/// How dense hair is at a point of the scalp, relative: 0 none, 1 most; what is beyond is clamped.
+/// Relative hair density at a point of the scalp, clamped to [0, 1].
 using ScalpDensity = std::function<float(glm::vec3)>;
 
-/// A picture over the scalp, seen from above with the face towards the bottom: a ScalpDensity.
+/// A ScalpDensity from an image of the scalp, from above, with the face at the bottom.
 struct DensityImage {
   std::uint32_t width = 0,        ///< pixels
       height = 0;                 ///< pixels
@@ -31,7 +31,7 @@ struct RootSettings {
   float perSquareMetre = 0;
 };
 
-/// Places on the root layer where hair starts, bundle after bundle.
+/// Root positions on the root layer, sorted by bundle.
 struct HairMeshRoots {
   std::vector<std::uint32_t> firstRoot = {0};  ///< [bundleCount + 1]
   std::vector<std::uint32_t> bundle;           ///< [rootCount]

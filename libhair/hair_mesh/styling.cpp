@@ -86,7 +86,7 @@ float smoothNoise(std::uint32_t key, Use use, std::uint32_t seed, float x) {
   return glm::mix(value(i), value(i + 1), t * t * (3 - 2 * t));
 }
 
-/// Where one strand's points go, across it.
+/// Offsets of one strand's points across it.
 class Deviation {
  public:
   Deviation(const StylingSettings& settings, std::uint32_t seed, std::uint32_t strandKey,

@@ -8,7 +8,7 @@ namespace hair {
 
 namespace {
 
-// What a new corner stands for: an old corner's vertex, the edge that starts there, or its face.
+// Origin of a new corner: an old corner's vertex, the edge that starts there, or its face.
 enum class Source : std::uint8_t { Vertex, Edge, Face };
 
 // The same for all layers.

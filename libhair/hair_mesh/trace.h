@@ -18,8 +18,8 @@ namespace HAIR_API hair {
 /// both as the weights have them, bit for bit. Layers that coincide at a strand count once; only a
 /// strand whose layers all do has segments without length.
 ///
-/// Roots hold all that does not change when vertices move: after an edit of places this is the
-/// whole cost. `strands` is overwritten and keeps its memory. The same bits for any number of
+/// Roots do not depend on vertex positions: after an edit of positions only this is recomputed.
+/// `strands` is overwritten and keeps its memory. The same bits for any number of
 /// threads. Throws Error for fewer than 2 points, or roots that do not fit the mesh.
 void traceStrands(const HairMesh& mesh, const HairMeshRoots& roots, std::uint32_t points,
                   StrandSet& strands);

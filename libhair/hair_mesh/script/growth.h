@@ -7,8 +7,8 @@ namespace hair {
 /// Extrudes each bundle until it has `layers` layers. Throws Error for one that has more.
 void growTo(Workshop& workshop, std::span<const std::uint32_t> bundles, std::uint32_t layers);
 
-/// The way of hair from a root: fills `curve`, [layers + 1], the root first. `beside` is the middle
-/// of the faces that share the vertex, which tells on which side of a parting it is.
+/// Path of hair from a root: fills `curve`, [layers + 1], the root first. `beside` is the centre of
+/// the faces that share the vertex, which determines its side of a parting.
 using CurveFromRoot =
     std::function<void(glm::vec3 root, glm::vec3 beside, std::span<glm::vec3> curve)>;
 

@@ -13,7 +13,7 @@
 
 namespace hair {
 // What a script is applied to: the hairstyle so far, its selections, the head. Not public.
-struct Workshop;  // script_workshop.h
+struct Workshop;  // workshop.h
 }  // namespace hair
 
 namespace HAIR_API hair {
@@ -46,7 +46,7 @@ using ScriptFiles = std::function<std::string(const std::string& name)>;
 /// Files beside the script: names are relative to its folder.
 ScriptFiles filesBeside(const std::filesystem::path& script);
 
-/// What a script may ask for; an error names the one that is in the way.
+/// Resource limits of a script; an error names the one exceeded.
 struct ScriptLimits {
   std::size_t lines = 10'000;        ///< with an operation
   std::size_t corners = 1'000'000;   ///< of faces in all layers; as many vertices at the most

@@ -161,8 +161,8 @@ ScriptStep readCoil(ScriptWords& words) {
   };
 }
 
-// The way over the head from a root to its place in a disc of radius `radius` around `to`, across
-// `axis`: the farther a root is from there, the farther out it lies.
+// Path over the head from a root to its position in a disc of radius `radius` around `to`, across
+// `axis`: the farther the root, the farther out in the disc.
 struct Pull {
   glm::vec3 to{0}, axis{0};
   float radius = 0.02f, volume = 0.01f, clearance = 0.003f;

@@ -10,9 +10,8 @@
 #include <libhair/hair_mesh/script/words.h>
 #include <libhair/model/scalp_roots.h>
 
-// The inside of scripts: what their operations work on, and share. Operations stand in
-// script_selection.cpp, script_topology.cpp, script_geometry.cpp, script_growth.cpp and
-// script_sweep.cpp.
+// Internal state and helpers of script operations, which are implemented in selection.cpp,
+// topology.cpp, geometry.cpp, growth.cpp and sweep.cpp.
 namespace hair {
 
 /// A set of bundles: [bundleCount], 1 for those in it.
@@ -47,10 +46,10 @@ struct Workshop {
   /// `layers` more layers.
   void requireRoom(std::size_t corners, std::size_t layers) const;
 
-  /// Before each pass over the mesh; throws Error when the script has had enough of them.
+  /// Call before each pass over the mesh; throws Error when the work limit is exceeded.
   void spend();
 
-  /// What is said of bundles follows them: the new bundle b was, or is part of, from[b].
+  /// Remaps all per-bundle data: the new bundle b was, or is part of, from[b].
   void renumber(std::span<const std::uint32_t> from);
 
   /// Interior vertices, with no more iterations than the script has work left for.
