@@ -10,7 +10,7 @@ namespace hair {
 
 namespace {
 
-// The 128 bytes in front, as they stand in the file.
+// The file header, 128 bytes.
 struct Header {
   char magic[4] = {'H', 'A', 'I', 'R'};
   std::uint32_t strands = 0;

@@ -12,8 +12,8 @@
 
 namespace HAIR_API hair {
 
-/// What a .hair file holds (Cem Yuksel's format, "HAIR" files), in the file's own units and axes;
-/// strand_file.h converts. Optional arrays are empty where the file has none; its defaults hold
+/// Contents of a .hair file (Cem Yuksel's format, "HAIR" files), in the file's own units and axes;
+/// strand_file.h converts. Optional arrays are empty where the file has none; its defaults apply
 /// then.
 struct HairFile {
   StrandSet strands;                ///< the file's unit and axes

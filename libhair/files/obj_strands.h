@@ -7,15 +7,15 @@
 
 namespace hair {
 
-/// Strands out of the `l` lines of an OBJ file, and of a point each out of its `p` lines; faces and
-/// all else are left alone. A file all of whose `l` lines have two corners is one of edges, as
-/// Blender writes it: they are followed to strands (chainEdges). In the file's units, which a
-/// comment of ours states, or else metres, +Y up; only `strands`, `format`, `arrays`, `scale` and
-/// `up` are set. `name` names the file in messages. Throws Error (file, line, cause).
+/// Reads strands from the `l` lines of an OBJ file, and single points from its `p` lines; ignores
+/// faces and all else. If all `l` lines have two corners, they are edges, as Blender writes them,
+/// and are joined to strands (chainEdges). In the file's units, from libhair's comment if present,
+/// else metres, +Y up; sets only `strands`, `format`, `arrays`, `scale` and `up`. `name` names the
+/// file in messages. Throws Error (file, line, cause).
 StrandFile parseObjStrands(std::string_view bytes, std::string_view name);
 
-/// Points only, as they stand, a line a segment; `scale` and `up` go into a comment. Strands have a
-/// point at least, coordinates are below 1e8, or Error.
+/// Writes points only, unconverted, one line a segment; `scale` and `up` go into a comment. Throws
+/// Error for strands without points, and coordinates of 1e8 or more.
 void writeObjStrands(std::ostream& out, const StrandFile& file);
 
 }  // namespace hair

@@ -149,7 +149,7 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 2>> edges;
 };
 
-// Where a single number stands in an element; a list of that name does not count.
+// Index of a scalar property in an element; lists of that name are ignored.
 int single(const Element& element, std::string_view name) {
   const int at = element.find(name);
   return at >= 0 && !element.properties[static_cast<std::size_t>(at)].countType ? at : -1;

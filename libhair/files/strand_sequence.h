@@ -37,18 +37,18 @@ class StrandSequenceWriter {
   /// Throws Error where the format is unknown, or holds one frame only and the name has no #.
   explicit StrandSequenceWriter(const std::filesystem::path& file,
                                 const SequenceOptions& options = {});
-  /// Without `close` before it, one file never appears.
+  /// Discards a single file that was not closed.
   ~StrandSequenceWriter();
   StrandSequenceWriter(const StrandSequenceWriter&) = delete;
   StrandSequenceWriter& operator=(const StrandSequenceWriter&) = delete;
 
-  /// The next frame. A .usda file has the strands, widths and colours of its first one: later
-  /// strands must have as many points each, and only where these are is taken. Throws Error.
+  /// Adds the next frame. A .usda file has strands, widths and colours of its first frame: of later
+  /// frames only points are written, and their numbers must match. Throws Error.
   void add(const StrandFile& frame);
   /// The same with points alone.
   void add(StrandView frame);
-  /// A frame at a time code of its own, later than that of the frame before it; a numbered file's
-  /// is its number, and whole. `add` goes on from there. Throws Error.
+  /// Adds a frame at a time code later than the previous one's; for numbered files it is the file's
+  /// number, an integer. `add` continues from there. Throws Error.
   void addAt(double timeCode, const StrandFile& frame);
   /// After the last frame; none is an Error. Throws Error.
   void close();
@@ -69,8 +69,8 @@ class StrandSequenceWriter {
 /// Reads any frame of a sequence; a file that does not move is a sequence of one frame.
 class StrandSequenceReader {
  public:
-  /// Goes through a .usda file once, to learn where each frame is, and looks which numbered files
-  /// there are. Throws Error.
+  /// Scans a .usda file once for the offset of each frame, or lists the numbered files. Throws
+  /// Error.
   explicit StrandSequenceReader(const std::filesystem::path& file, const ReadOptions& options = {});
   /// Closes the file.
   ~StrandSequenceReader();

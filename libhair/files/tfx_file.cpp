@@ -8,7 +8,7 @@ namespace hair {
 
 namespace {
 
-// The 160 bytes in front, as they stand in the file. An offset of 0: there is no such array.
+// The file header, 160 bytes. An offset of 0: no such array.
 struct Header {
   float version = 0;
   std::uint32_t strands = 0;
