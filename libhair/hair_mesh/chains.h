@@ -28,13 +28,13 @@ struct HairMeshChains {
   }
 };
 
-/// In order of the corners that they end at. `mesh` must be valid.
+/// Extracts the chains, ordered by the corners at which they end. `mesh` must be valid.
 HairMeshChains chainsOf(const HairMesh& mesh);
 
-/// Moves the vertices of a mesh with the guides that its chains became (makeGroom): each to where
-/// its chain's guide is now, at the share of the length that it had on `rest`; what several chains
-/// share, to their mean. `guidePoints`: [chainCount · pointsPerGuide], root first. `moved` is of
-/// the topology of `rest`. Throws Error where counts differ.
+/// Moves the vertices of a mesh with the guides of its chains (makeGroom): each to the point of its
+/// guide at the same fraction of the chain's length as on `rest`; a vertex of several chains to
+/// their mean. `guidePoints`: [chainCount · pointsPerGuide], root first. `moved` has the topology
+/// of `rest`. Throws Error where counts differ.
 void followGuides(const HairMesh& rest, const HairMeshChains& chains,
                   std::span<const glm::vec3> guidePoints, std::uint32_t pointsPerGuide,
                   HairMesh& moved);

@@ -18,8 +18,8 @@ class HairMeshHistory {
   /// The current mesh.
   const HairMesh& current() const { return steps_[at_]; }
 
-  /// One step: any number of operations, and places moved by hand. What was undone before is gone.
-  /// If `edit` throws, or leaves a mesh that is not valid (Error), nothing has changed.
+  /// Applies one step of any number of edits, and discards undone steps. If `edit` throws, or
+  /// leaves an invalid mesh (Error), nothing changes.
   void apply(const std::function<void(HairMesh&)>& edit);
 
   /// Whether undo() has a step to go to.

@@ -42,19 +42,19 @@ EdgeEnds endsOf(const LayerEdge& edge, const CornerTable& table,
            {vertices[table.next[edge.corner]], vertices[edge.other]}}};
 }
 
-// Which vertices of the layer above the tips become one. They are numbered as there; those from
-// `standing` on are new, one for each corner extruded.
+// Merges vertices of the layer above the tips. Existing ones keep their indices; those from
+// `standing` on are new, one for each extruded corner.
 class TipVertices {
  public:
-  // `parted`: edges below whose faces both stand in the layer, and are not joined there.
+  // `parted`: edges below whose two faces exist in the layer, but are not connected there.
   TipVertices(const HairMesh::Layer& layer, std::size_t standing, std::vector<EdgeEnds> parted)
       : layer_(layer),
         sets_(layer.vertexCount()),
         standing_(standing),
         parted_(std::move(parted)) {}
 
-  // Joins both sides of an edge, if no vertex has to be in two places for it and no other edge
-  // closes that faces were separated along.
+  // Joins both sides of an edge, unless that would need a vertex in two positions or close another
+  // edge along which faces were separated.
   void tryToJoin(const EdgeEnds& ends) {
     bool stoodApart = false;
     for (const auto& [x, y] : ends) {
@@ -96,7 +96,7 @@ void extrudeLayer(std::size_t k, std::span<const std::uint32_t> bundles, float d
   HairMesh::Layer& next = mesh.layers[k + 1];
   const CornerTable table(mesh);
 
-  // Edges inside the layer of the tips, and which of them are parted in the next one already.
+  // Inner edges of the tips' layer, and those of them already separated in the next layer.
   std::vector<LayerEdge> edges = edgesOf(table, tip.corners);
   std::erase_if(edges, [](const LayerEdge& edge) { return !edge.isInner(); });
   std::sort(edges.begin(), edges.end(),

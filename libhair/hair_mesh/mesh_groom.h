@@ -10,8 +10,8 @@ namespace HAIR_API hair {
 
 /// Settings of the conversion of a hair mesh to a groom.
 struct MeshGroomSettings {
-  /// 3 to kMaxGuidePoints; 0: as many as there are layers, so that links are about as long as the
-  /// edges that they stand for, but 16 at least.
+  /// 3 to kMaxGuidePoints; 0: the number of layers, so that links are about as long as the mesh's
+  /// edges, but at least 16.
   std::uint32_t pointsPerGuide = 0;
   float hairs = 100'000;  ///< that the drawn strands represent together
   /// [bundleCount], or empty: chains at the corners of a bundle keep their places on the head up to

@@ -40,8 +40,8 @@ std::vector<std::uint32_t> connectedFaces(const HairMesh& mesh, std::size_t laye
                                           std::uint32_t bundle);
 
 /// Layer Insert: a layer half-way between `layer` (1 or above) and the one below it, for all
-/// bundles connected to `bundle` in that layer; what was `layer` is then layer + 1. The new one is
-/// parted as that one is.
+/// bundles connected to `bundle` in that layer; the old `layer` becomes layer + 1. The new one has
+/// the same separations.
 void insertLayer(std::size_t layer, std::uint32_t bundle, HairMesh& mesh);
 
 /// Layer Remove: the faces of `layer` (1 or above) of all bundles connected to `bundle` there. At
@@ -50,7 +50,7 @@ void removeLayer(std::size_t layer, std::uint32_t bundle, HairMesh& mesh);
 
 /// Edge Separate: cuts along edges of `layer` (1 or above). Each of their vertices becomes one for
 /// every fan of faces that the cuts leave around it, all at the same place; and above likewise.
-/// Refused for an edge that parts at neither end: a single one inside.
+/// Throws Error for a single inner edge, which would separate at neither end.
 void separateEdges(std::size_t layer, std::span<const HairMeshEdge> edges, HairMesh& mesh);
 
 /// Vertex Separate: each face around the vertex gets a vertex of its own; and above likewise.

@@ -53,17 +53,17 @@ struct HairMeshRoots {
 /// Spreads roots over the faces of F^0, evenly by area (of FlatPolygon) times `density` (none: 1).
 /// Bundles without length have none.
 ///
-/// A bundle has an endless queue of roots of its own, which depends on the seed, the bundle's
-/// number and the shape of its face: a jittered R2 sequence (Roberts 2018) over a box around the
-/// face, of which those count that fall inside, and of these by chance as many as density says. The
-/// i-th root of bundle j comes at time (i + u_j) / m_j, where m_j is area times mean density and
-/// u_j in [0, 1) is drawn for each bundle; the first to come, `strands` in all, are taken. So the
-/// count is exact; roots of a smaller count are among those of a larger one; and a face that grows
-/// takes roots from the ends of the others' queues alone, where perSquareMetre leaves them all.
+/// Each bundle has an infinite sequence of roots, which depends on the seed, the bundle's number
+/// and the shape of its face: a jittered R2 sequence (Roberts 2018) over a box around the face, of
+/// which points outside are rejected, and points inside at random according to density. The i-th
+/// root of bundle j has time (i + u_j) / m_j, where m_j is area times mean density and u_j in [0,
+/// 1) is random for each bundle; the `strands` earliest of all are taken. So the count is exact;
+/// roots of a smaller count are a subset of those of a larger one; and a growing face only removes
+/// the last roots of other bundles (none with perSquareMetre).
 ///
-/// The mean density is that of 256 places of a face. Fewer roots than asked come where density is
-/// zero in all of those, or where less than 1/4096 of the box has hair. The same bits for any
-/// number of threads; `density` is called from several at once. Throws Error if no face has area
+/// The mean density is sampled at 256 points of a face. Fewer roots result where density is zero at
+/// all of those, or where less than 1/4096 of the box has hair. The same bits for any number of
+/// threads; `density` is called concurrently. Throws Error if no face has area
 /// (and density), or for settings out of range.
 HairMeshRoots placeRoots(const HairMesh& mesh, const RootSettings& settings = {},
                          const ScalpDensity& density = {});

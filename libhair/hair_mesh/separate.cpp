@@ -44,7 +44,7 @@ void weldCorners(std::size_t layer,
     mergeDownward(layer, corners[a], corners[b], mesh);
   }
   rejoinFrom(1, mesh);
-  // What shares no edge would hang together at a point; rejoin has parted it again.
+  // rejoin has separated again what shares no edge, which would be connected only at a point.
   for (const auto& [a, b] : cornerPairs)
     require(mesh.layers[layer].corners[a] == mesh.layers[layer].corners[b], "layer ", layer, ": ",
             what, " would hold faces together at a point only; weld an edge that ends there");

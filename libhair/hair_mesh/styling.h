@@ -6,33 +6,32 @@
 
 namespace HAIR_API hair {
 
-/// Styling of strands that come out of a hair mesh (Yuksel et al. 2009, section 3.4), in the order
-/// of the fields. Everything random is keyed by the strand's root (bundle and number in it), never
-/// by places: an edit of the mesh does not reshuffle hair. Lengths in metres; {} changes nothing.
+/// Styling of strands of a hair mesh (Yuksel et al. 2009, section 3.4), applied in the order of the
+/// fields. Random numbers are keyed by the strand's root (bundle and number in it), not by
+/// position: an edit of the mesh does not reshuffle hair. Lengths in metres; {} changes nothing.
 ///
-/// Curls and deviations move a point across its strand, in the frame that parallel transport
-/// carries along the strand from the face it starts in (its normal and first edge): they turn with
-/// the mesh. They want points: some eight for a turn or between two bends, fewer draw something
-/// coarser.
+/// Curls and deviations displace points across their strand, in the frame carried by parallel
+/// transport from the face of its root (normal and first edge), so that they rotate with the mesh.
+/// They need about eight points a turn or bend; fewer undersample them.
 struct StylingSettings {
-  float lengthCut = 0;        ///< share of the length that is cut off, [0, 1)
-  float lengthVariation = 0;  ///< up to this share more, from strand to strand, [0, 1 - lengthCut)
-  float clump = 0;            ///< how far strands come together at the tip, [0, 1]
-  std::uint32_t clumpSize = 40;  ///< strands that come together, and curl alike, >= 1
+  float lengthCut = 0;           ///< fraction of the length that is cut off, [0, 1)
+  float lengthVariation = 0;     ///< random additional cut up to this fraction, [0, 1 - lengthCut)
+  float clump = 0;               ///< strength of clumping at the tip, [0, 1]
+  std::uint32_t clumpSize = 40;  ///< strands a clump, which also share a curl, >= 1
   float curlRadius = 0;          ///< helix around the strand, >= 0
   float curlPitch = 0.03f;       ///< along the strand, a turn; a fifth more or less by clump, > 0
   float curlFromRoot = 0.1f;     ///< share of the length where curls begin, [0, 1)
-  float noise = 0;               ///< slow deviation, grows up to this towards the tip, >= 0
+  float noise = 0;               ///< low-frequency deviation, grows up to this at the tip, >= 0
   float noiseLength = 0.08f;     ///< along the strand, between its bends, > 0
-  float frizz = 0;               ///< quick deviation, up to this, >= 0
+  float frizz = 0;               ///< high-frequency deviation, up to this, >= 0
   float frizzLength = 0.008f;    ///< along the strand, between its bends, > 0
-  float frizzShare = 1;          ///< of strands that are frizzy, [0, 1]
+  float frizzShare = 1;          ///< fraction of strands with frizz, [0, 1]
 };
 
-/// Styles strand r as that of root r, in place; roots do not move. A strand keeps its number of
-/// points. Clumps are of strands of one bundle: its first roots are their centres, each strand goes
-/// to the nearest (when they were placed), and its point at a share u of its length by
-/// clump·u^(3/2) of the way to the centre's point at that share. The same bits for any number of
+/// Styles strand r, of root r, in place; keeps roots and numbers of points. Clumps are within a
+/// bundle: its first roots are their centres, and each strand belongs to the nearest (by placed
+/// positions). Its point at a fraction u of its length moves by the fraction clump·u^(3/2) towards
+/// the centre strand's point at the same u. The same bits for any number of
 /// threads. Throws Error for settings out of range, strands of fewer than 2 points, or roots that
 /// fit neither mesh nor strands.
 void style(const HairMesh& mesh, const HairMeshRoots& roots, const StylingSettings& settings,

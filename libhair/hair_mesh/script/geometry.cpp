@@ -1,4 +1,4 @@
-// Lines that move vertices, or say who places them.
+// Script operations that move vertices, or switch automatic placement.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

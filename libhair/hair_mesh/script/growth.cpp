@@ -1,4 +1,4 @@
-// Lines that make many layers at once, each vertex on the way of hair from its root; and groups.
+// Script operations that grow many layers at once along paths of hair from the roots; and groups.
 #include <libhair/hair_mesh/script/growth.h>
 
 #include <algorithm>

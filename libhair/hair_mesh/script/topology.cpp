@@ -208,7 +208,7 @@ ScriptStep readWeld(ScriptWords& words) {
   return [seam](Workshop& w) {
     bool any = false;
     for (const SeamEdge& e : edgesOf(w, seam)) {
-      // Corners stay, whatever vertices become.
+      // Corner indices are stable, unlike vertex indices.
       const auto& corners = w.mesh().layers[seam.layer].corners;
       const HairMeshEdge a{corners[e.cornerA], corners[e.nextA]};
       const HairMeshEdge b{corners[e.nextB], corners[e.cornerB]};

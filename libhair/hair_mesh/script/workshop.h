@@ -37,7 +37,7 @@ struct Workshop {
   HairMesh& mesh() { return style.mesh; }
   const HairMesh& mesh() const { return style.mesh; }
 
-  /// "all" or a name; throws Error for one that there is not.
+  /// "all" or a name; throws Error for an unknown name.
   BundleSet selected(std::string_view name) const;
   /// The same as numbers, ascending; Error for none.
   std::vector<std::uint32_t> bundles(std::string_view name) const;
