@@ -88,8 +88,8 @@ struct Hair {
   Repulsion repulsion;                  ///< density of the drawn hair, and the acceleration from it
   std::vector<DensityMap> maps;         ///< [lights]; empty while shadows are off
   std::vector<float> transmittance;     ///< [lights · pointCount]; empty while shadows are off
-  std::vector<float> visibility;        ///< [lights · pointCount], [0, 1], shadow of head and body,
-                                        ///< filled by the caller; empty: no such shadow
+  std::vector<float> visibility;        ///< [lights · pointCount], [0, 1], of lights past head and
+                                        ///< body, filled by the caller; empty: 1
   std::vector<glm::vec3> radiance;      ///< [pointCount] linear RGB (shade); or empty
   std::vector<std::uint32_t> colours;   ///< [pointCount] sRGB bytes (encodeSrgb); or empty
   RigidTransform worldFromHead;         ///< at the end of the last frame
