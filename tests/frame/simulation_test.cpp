@@ -190,11 +190,16 @@ TEST(Simulation, GoesOnFromAStateThatWasSavedBetweenOtherSettings) {
 }
 
 TEST(Simulation, ALampAmongTheHairKeepsTheCellsThatWereSet) {
-  FrameSettings settings;
-  settings.lights = {Light::point({0, 0.12f, 0.1f})};
-  Scene scene(small(Style::Long), Motion::still(), settings);
-  for (int f = 0; f < 5; ++f) scene.step();
-  EXPECT_LE(scene.hair.maps.front().settings.cellSize, 4 * 1.25f * settings.map.cellSize);
+  Scene scene(small(Style::Long), Motion::still(), {});
+  // Straight behind a lamp no map has a cell: put one between the pivot and a point of the hair.
+  const glm::vec3 pivot = scene.hair.pivot();
+  const glm::vec3 behind = scene.hair.strands().strand(100)[20];
+  scene.settings.lights = {Light::point(behind + 0.01f * glm::normalize(pivot - behind))};
+  scene.simulation.setSettings(scene.settings);
+  scene.simulation.relight();
+  const DensityMap& map = scene.hair.maps.front();
+  EXPECT_TRUE(map.aliased()) << "a scene that fits tells nothing";
+  EXPECT_EQ(map.settings.cellSize, scene.settings.map.cellSize);
   EXPECT_LT(*std::ranges::min_element(scene.hair.transmittance), 0.5f) << "hair has shadows yet";
 }
 
