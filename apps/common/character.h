@@ -9,7 +9,7 @@
 
 #include <apps/common/mesh_hair.h>
 #include <libhair/files/strand_file.h>
-#include <libhair/model/head.h>
+#include <libhair/model/loaded_head.h>
 #include <libhair/model/styles.h>
 #include <libhair/motion/body_mesh.h>
 #include <libhair/motion/motion.h>
@@ -50,6 +50,7 @@ struct Character {
   KajiyaKaySettings look;
 
  private:
+  void takeHead(LoadedHead loaded);
   void makeHair(const CharacterOptions& options);
 };
 

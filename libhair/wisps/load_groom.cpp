@@ -1,0 +1,40 @@
+#include <libhair/wisps/load_groom.h>
+
+#include <utility>
+
+#include <libhair/core/error.h>
+#include <libhair/model/head_fit.h>
+
+namespace hair {
+
+std::vector<glm::vec3> rootsOf(StrandView strands) {
+  std::vector<glm::vec3> roots;
+  for (std::size_t s = 0; s < strands.strandCount(); ++s)
+    if (!strands.strand(s).empty()) roots.push_back(strands.strand(s).front());
+  return roots;
+}
+
+LoadedGroom loadGroom(const std::filesystem::path& file, const LoadOptions& options,
+                      std::vector<TriangleMesh> heads, const BindSettings& bind) {
+  LoadedStrands loaded = loadStrands(file, options);
+  LoadedGroom result;
+  result.notes = std::move(loaded.notes);
+  StrandSet& strands = loaded.file.strands;
+  const std::vector<glm::vec3> roots = rootsOf(strands);
+  if (heads.empty()) {
+    HeadFit fit = fitHeadToRoots(roots);
+    result.head.head = std::move(fit.head);
+    result.head.headFromFile = fit.headFromHair;
+    result.head.notes.push_back(
+        text("no --head: the built-in head was scaled under the roots, which lie on it to ",
+             fit.residual * 1000, " mm (mean)"));
+  } else {
+    result.head = loadedHead(std::move(heads), roots);
+  }
+  for (glm::vec3& p : strands.points) p = result.head.headFromFile.point(p);
+  result.groom = bindGroom(strands, bind);
+  result.notes.insert(result.notes.end(), result.head.notes.begin(), result.head.notes.end());
+  return result;
+}
+
+}  // namespace hair
