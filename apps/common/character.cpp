@@ -22,10 +22,17 @@ KajiyaKaySettings lookOf(Style style) {
   return look;
 }
 
-std::vector<TriangleMesh> readHeads(const CharacterOptions& options) {
-  std::vector<TriangleMesh> meshes;
-  for (const std::filesystem::path& file : options.heads) meshes.push_back(readObj(file));
-  return meshes;
+// Those that the options leave open are what the first file states, if it does.
+HeadFiles readHeads(const CharacterOptions& options) {
+  HeadFiles heads{{}, options.headRead};
+  for (const std::filesystem::path& file : options.heads) {
+    ObjReport report;
+    heads.meshes.push_back(readObj(file, &report));
+    if (heads.meshes.size() > 1) continue;
+    if (heads.read.scale == 0) heads.read.scale = report.scale;
+    if (heads.read.up == UpAxis::AsFile) heads.read.up = report.up;
+  }
+  return heads;
 }
 
 }  // namespace
@@ -44,17 +51,23 @@ void Character::makeHair(const CharacterOptions& options) {
   if (options.hair.empty()) {
     require(options.heads.empty(),
             "--head: the built-in styles grow on the built-in head; give --hair too");
-    takeHead({builtinHead(), {}, {}, {}});
+    LoadedHead builtin;
+    builtin.head = builtinHead();
+    takeHead(std::move(builtin));
     StyleSettings style = styleSettings(options.style);
     if (options.strands > 0) style.strands = options.strands;
     if (options.points > 0) style.points = options.points;
     groom = makeGroom(style, *headCollider);
   } else if (isHairMesh(options.hair)) {
     mesh = growMeshHair(options, notes);
-    LoadedHead loaded{builtinHead(), {}, {}, {}};
-    if (!options.heads.empty()) {
-      loaded = loadedHead(readHeads(options), rootsOf(mesh->grown.strands));
-      moveBy(loaded.headFromFile, *mesh);
+    LoadedHead loaded;
+    if (options.heads.empty()) {
+      loaded.head = builtinHead();
+    } else {
+      HeadFiles heads = readHeads(options);
+      const std::vector<glm::vec3> roots = rootsOf(mesh->grown.strands);
+      loaded = loadedHead(std::move(heads.meshes), {roots, {1, UpAxis::Y}}, heads.read);
+      moveBy(loaded.headFromHair, *mesh);
       note(loaded.notes);
     }
     takeHead(std::move(loaded));

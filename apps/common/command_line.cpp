@@ -133,6 +133,13 @@ void addCharacterOptions(CLI::App& command, CharacterOptions& character) {
       ->expected(1)
       ->take_all()
       ->type_name("FILE");
+  command
+      .add_option("--head-scale", character.headRead.scale,
+                  "metres per unit of the head files; default: as the hair's, or 1 where that fits")
+      ->check(within(1e-9, 1e9));
+  addUpOption(
+      command, "--head-up", character.headRead.up,
+      "axis of the head files that points up; default: as the hair's, or y where that fits");
   command.add_option("--motion", character.motion,
                      "motion capture, .bvh; default: the built-in dance");
   command

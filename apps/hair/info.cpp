@@ -87,13 +87,10 @@ bool holdsLines(const std::filesystem::path& file) {
 
 void printMesh(const InfoOptions& options) {
   ObjReport report;
-  TriangleMesh mesh = readObj(options.file, &report);
-  const float scale = options.read.scale > 0 ? options.read.scale : 1;
-  const UpAxis up = options.read.up == UpAxis::AsFile ? UpAxis::Y : options.read.up;
-  convertUnits(mesh.positions, scale, up);
+  const TriangleMesh mesh = readObj(options.file, options.read, &report);
   row("file") << options.file.string() << '\n';
   row("format") << ".obj: " << report.faces << " faces\n";
-  row("read as") << scale << " m per unit, " << upAxisMeaning(up) << '\n';
+  row("read as") << report.scale << " m per unit, " << upAxisMeaning(report.up) << '\n';
   row("vertices") << mesh.positions.size() << '\n';
   row("triangles") << mesh.triangles.size() << '\n';
   printBounds(mesh.positions);

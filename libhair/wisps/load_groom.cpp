@@ -15,23 +15,24 @@ std::vector<glm::vec3> rootsOf(StrandView strands) {
 }
 
 LoadedGroom loadGroom(const std::filesystem::path& file, const LoadOptions& options,
-                      std::vector<TriangleMesh> heads, const BindSettings& bind) {
+                      HeadFiles heads, const BindSettings& bind) {
   LoadedStrands loaded = loadStrands(file, options);
   LoadedGroom result;
   result.notes = std::move(loaded.notes);
   StrandSet& strands = loaded.file.strands;
   const std::vector<glm::vec3> roots = rootsOf(strands);
-  if (heads.empty()) {
+  if (heads.meshes.empty()) {
     HeadFit fit = fitHeadToRoots(roots);
     result.head.head = std::move(fit.head);
-    result.head.headFromFile = fit.headFromHair;
+    result.head.headFromHair = fit.headFromHair;
     result.head.notes.push_back(
         text("no --head: the built-in head was scaled under the roots, which lie on it to ",
              fit.residual * 1000, " mm (mean)"));
   } else {
-    result.head = loadedHead(std::move(heads), roots);
+    result.head = loadedHead(std::move(heads.meshes), {roots, {loaded.file.scale, loaded.file.up}},
+                             heads.read);
   }
-  for (glm::vec3& p : strands.points) p = result.head.headFromFile.point(p);
+  for (glm::vec3& p : strands.points) p = result.head.headFromHair.point(p);
   result.groom = bindGroom(strands, bind);
   result.notes.insert(result.notes.end(), result.head.notes.begin(), result.head.notes.end());
   return result;

@@ -19,11 +19,17 @@ struct LoadedGroom {
   std::vector<std::string> notes;  ///< what was assumed, dropped or repaired; head.notes too
 };
 
+/// A head, and what moves with it, as files hold them.
+struct HeadFiles {
+  std::vector<TriangleMesh> meshes;  ///< first the head; in units of the files; empty: built-in
+  ReadOptions read{};                ///< their units and axes, as loadedHead takes them
+};
+
 /// From a file of strands to what a simulation takes: loadStrands, the head under the roots
-/// (loadedHead, or fitHeadToRoots where `heads` is empty), bindGroom. `heads` are in the hair's
-/// space: metres, +Y up, +Z face. Throws Error (file, place, cause).
+/// (loadedHead, or fitHeadToRoots where there is none), bindGroom. Throws Error (file, place,
+/// cause).
 LoadedGroom loadGroom(const std::filesystem::path& file, const LoadOptions& options = {},
-                      std::vector<TriangleMesh> heads = {}, const BindSettings& bind = {});
+                      HeadFiles heads = {}, const BindSettings& bind = {});
 
 /// First points of strands that have at least one.
 std::vector<glm::vec3> rootsOf(StrandView strands);
