@@ -15,6 +15,8 @@ LoadedStrands loadStrands(const std::filesystem::path& file, const LoadOptions& 
   loaded.notes.push_back(text(file.filename().string(), ": ", read, " strands, ",
                               strands.pointCount(), " points; ", loaded.file.scale,
                               " m a unit, up axis ", upAxisText(loaded.file.up)));
+  const std::vector<std::string>& said = loaded.file.notes;
+  loaded.notes.insert(loaded.notes.end(), said.begin(), said.end());
   const std::vector<std::uint32_t> sound = soundStrands(strands);
   require(!sound.empty(), file.string(), ": no strand is longer than 1 mm; check --scale");
   if (sound.size() < read)
