@@ -35,6 +35,28 @@ HeadFiles readHeads(const CharacterOptions& options) {
   return heads;
 }
 
+// The mesh beside the strands of an .obj is their head, where it fits.
+LoadedGroom loadFileGroom(const CharacterOptions& options) {
+  const LoadOptions load{options.read, options.strands, options.points};
+  BindSettings bind;
+  bind.guides = options.guides;
+  if (!options.heads.empty() || !holdsMesh(options.hair))
+    return loadGroom(options.hair, load, readHeads(options), bind);
+  std::string whyNot;
+  try {
+    CharacterOptions own = options;
+    own.heads = {options.hair};
+    LoadedGroom loaded = loadGroom(options.hair, load, readHeads(own), bind);
+    loaded.notes.push_back("no --head: the mesh of the same file is the head");
+    return loaded;
+  } catch (const Error& e) {
+    whyNot = e.what();
+  }
+  LoadedGroom loaded = loadGroom(options.hair, load, {}, bind);
+  loaded.notes.push_back("the mesh of the same file is not the head: " + whyNot);
+  return loaded;
+}
+
 }  // namespace
 
 void Character::takeHead(LoadedHead loaded) {
@@ -66,17 +88,14 @@ void Character::makeHair(const CharacterOptions& options) {
     } else {
       HeadFiles heads = readHeads(options);
       const std::vector<glm::vec3> roots = rootsOf(mesh->grown.strands);
-      loaded = loadedHead(std::move(heads.meshes), {roots, {1, UpAxis::Y}}, heads.read);
+      loaded = loadedHead(std::move(heads.meshes), {roots, meshUnits(options)}, heads.read);
       moveBy(loaded.headFromHair, *mesh);
       note(loaded.notes);
     }
     takeHead(std::move(loaded));
     groom = groomOf(*mesh);
   } else {
-    BindSettings bind;
-    bind.guides = options.guides;
-    LoadedGroom loaded = loadGroom(options.hair, {options.read, options.strands, options.points},
-                                   readHeads(options), bind);
+    LoadedGroom loaded = loadFileGroom(options);
     note(loaded.notes);
     groom = std::move(loaded.groom);
     takeHead(std::move(loaded.head));

@@ -98,6 +98,12 @@ void addReadOptions(CLI::App& command, ReadOptions& read) {
   addUpOption(command, "--up", read.up,
               "axis of the file that points up: y (face +z), z (face +y), z-back (face -y: "
               "Blender), x, y-down; default: what it states, or .hair z, others y");
+  command.add_option("--prim", read.prim,
+                     "of several curves in a .usda, those of this path or name; default: all");
+  command
+      .add_option("--points-per-strand", read.pointsPerStrand,
+                  "of a cloud of points without edges; default: as their spacing shows")
+      ->check(CLI::Range(2, 65536));
 }
 
 void addHairOptions(CLI::App& command, CharacterOptions& character) {
@@ -110,7 +116,8 @@ void addHairOptions(CLI::App& command, CharacterOptions& character) {
                     ->type_name("STYLE");
   command
       .add_option("--hair", character.hair,
-                  "hair of a file instead: .hair, .tfx, .data, .ply or .usda; or a hair mesh: "
+                  "hair of a file instead: .hair, .tfx, .data, .ply, .usda, .npy, .npz or .pbrt; "
+                  "or a hair mesh: "
                   ".hairmesh or .obj")
       ->excludes(style);
   command

@@ -115,6 +115,7 @@ void runConvert(const ConvertOptions& options) {
             << upAxisMeaning(file.up);
   if (frames > 1) std::cout << "; frames " << begin << " to " << end - 1 << " of " << frames;
   std::cout << '\n';
+  for (const std::string& note : file.notes) std::cout << note << '\n';
   const ResamplePlan plan = planOf(options, file);
   const std::vector<std::uint32_t> first = file.strands.first;
   resample(plan, file);

@@ -15,7 +15,7 @@ std::vector<glm::vec3> rootsOf(StrandView strands) {
 }
 
 LoadedGroom loadGroom(const std::filesystem::path& file, const LoadOptions& options,
-                      HeadFiles heads, const BindSettings& bind) {
+                      HeadFiles heads, const BindSettings& bind, float hairs) {
   LoadedStrands loaded = loadStrands(file, options);
   LoadedGroom result;
   result.notes = std::move(loaded.notes);
@@ -33,7 +33,9 @@ LoadedGroom loadGroom(const std::filesystem::path& file, const LoadOptions& opti
                              heads.read);
   }
   for (glm::vec3& p : strands.points) p = result.head.headFromHair.point(p);
-  result.groom = bindGroom(strands, bind);
+  result.groom = bindGroom(strands, bind, hairs);
+  result.notes.push_back(text(strands.strandCount(), " strands stand for ", hairs,
+                              " hairs: ", result.groom.fibre.hairsPerStrand, " each"));
   result.notes.insert(result.notes.end(), result.head.notes.begin(), result.head.notes.end());
   return result;
 }

@@ -29,7 +29,8 @@ struct HeadFiles {
 /// (loadedHead, or fitHeadToRoots where there is none), bindGroom. Throws Error (file, place,
 /// cause).
 LoadedGroom loadGroom(const std::filesystem::path& file, const LoadOptions& options = {},
-                      HeadFiles heads = {}, const BindSettings& bind = {});
+                      HeadFiles heads = {}, const BindSettings& bind = {},
+                      float hairs = kHairsOnHead);
 
 /// First points of strands that have at least one.
 std::vector<glm::vec3> rootsOf(StrandView strands);

@@ -233,7 +233,8 @@ std::string lines(std::string words) {
 // Every option of every command at least once.
 std::vector<std::string> optionSeeds() {
   static const std::string kSubject =
-      " --hair a.tfx --head a.obj --head b.obj --scale 0.01 --up z-back --strands 99 --points 9 "
+      " --hair a.tfx --head a.obj --head b.obj --scale 0.01 --up z-back --head-scale 0.1 --head-up "
+      "x --prim a/b --points-per-strand 12 --strands 99 --points 9 "
       "--motion a.bvh --motion-scale 0.02 --guides 50";
   static const std::string kPerformance =
       " --fps 30 --threads 2 --cells 64 --light 0,-1,0 --point 1,2,3,0.5,0.5,1 --light "
