@@ -54,6 +54,7 @@ class Pieces {
 
  private:
   HWY_NOINLINE void write() {
+    if (size_ == 0) return;
     // Pad to sixteen with zero counts in the place of the first piece.
     store(Ints(column_[0]), column_ + size_);
     store(Ints(depth_[0]), depth_ + size_);

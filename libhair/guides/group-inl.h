@@ -18,14 +18,14 @@ namespace HWY_NAMESPACE {
 
 /// What a substep reads and writes of one group: pointers into the arrays of GuideStrands.
 struct Group {
-  std::uint32_t points, tied;
+  RootFrame rest;  // in head space
+  BendingGroup bending;
   LaneVec3 *position, *velocity;
   Lanes* tension;
   const LaneVec3 *restPosition, *push;  // push: or null
   const Lanes* windShare;               // or null
   const Lanes *mass, *inverseMass, *linkLength, *mostTension, *mostCompression, *clearance;
-  RootFrame rest;  // in head space
-  BendingGroup bending;
+  std::uint32_t points, tied;
   bool hasUnevenLinks;
 };
 

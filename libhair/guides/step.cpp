@@ -111,24 +111,24 @@ void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float 
   for (std::size_t k = begin; k < end; ++k) {
     const std::size_t p = k * n, l = k * links;
     const Group group{
-        n,
-        guides.tied[k],
-        &guides.position[p],
-        &guides.velocity[p],
-        &guides.tension[l],
-        &guides.restPosition[p],
-        motion.push.empty() ? nullptr : &motion.push[p],
-        motion.windShare.empty() ? nullptr : &motion.windShare[p],
-        &guides.pointMass[p],
-        &guides.inverseMass[p],
-        &guides.linkLength[l],
-        &factors.mostTension[l],
-        &factors.mostCompression[l],
-        &guides.clearance[p],
-        {guides.rootTangent[k], guides.rootNormal[k]},
-        {n, &guides.curvature[l], &guides.jointStiffness[l], &guides.inverseLength[l],
-         &factors.inverseD[p], &factors.below1[p], &factors.below2[p], factors.damping},
-        guides.hasUnevenLinks[k] != 0};
+        .rest = {guides.rootTangent[k], guides.rootNormal[k]},
+        .bending = {n, &guides.curvature[l], &guides.jointStiffness[l], &guides.inverseLength[l],
+                    &factors.inverseD[p], &factors.below1[p], &factors.below2[p], factors.damping},
+        .position = &guides.position[p],
+        .velocity = &guides.velocity[p],
+        .tension = &guides.tension[l],
+        .restPosition = &guides.restPosition[p],
+        .push = motion.push.empty() ? nullptr : &motion.push[p],
+        .windShare = motion.windShare.empty() ? nullptr : &motion.windShare[p],
+        .mass = &guides.pointMass[p],
+        .inverseMass = &guides.inverseMass[p],
+        .linkLength = &guides.linkLength[l],
+        .mostTension = &factors.mostTension[l],
+        .mostCompression = &factors.mostCompression[l],
+        .clearance = &guides.clearance[p],
+        .points = n,
+        .tied = guides.tied[k],
+        .hasUnevenLinks = guides.hasUnevenLinks[k] != 0};
     findDirections(n, group.position, s.directions);
     for (std::uint32_t i = 0; i < n; ++i)
       s.queriedAt[i] = group.position[i], s.clear[i] = Clearance(0);
