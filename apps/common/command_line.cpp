@@ -129,7 +129,7 @@ void addCharacterOptions(CLI::App& command, CharacterOptions& character) {
   command
       .add_option(
           "--head", character.heads,
-          "the head of that hair, .obj in the same coordinates; again for eyes and the like")
+          "head mesh of the hair file, .obj in the same coordinates; repeat it for eyes and so on")
       ->expected(1)
       ->take_all()
       ->type_name("FILE");
@@ -139,7 +139,7 @@ void addCharacterOptions(CLI::App& command, CharacterOptions& character) {
       .add_option("--motion-scale", character.motionScale,
                   "metres per unit of the clip; default 0.01")
       ->check(within(1e-9, 1e9));
-  command.add_flag("--still", character.still, "nobody moves");
+  command.add_flag("--still", character.still, "no motion: the body stands still");
   command
       .add_option("--guides", character.guides, "simulated strands of a loaded groom; default 402")
       ->check(CLI::Range(1, 1'000'000));
@@ -150,24 +150,24 @@ void addPlayerOptions(CLI::App& command, PlayerOptions& player, int& threads) {
       ->check(within(1.0, 1000.0));
   command
       .add_option("--motion-speed", player.motionSpeed,
-                  "the dancer moves so many times as fast, and the hair has to follow; default 1")
+                  "speed of the body, as a factor; the hair has to follow; default 1")
       ->check(within(0.01, 100.0));
   command.add_option("--threads", threads, "0, the default: as many as the machine has")
       ->check(CLI::Range(0, 1024));
   command.add_option("--cells", player.cells, "of the shadow map along each axis; default 128")
       ->check(CLI::Range(2, 1024));
   addLights(command, "--light", Light::Kind::Parallel, player.lights,
-            "the way parallel light travels, and its colour (linear; default 1,1,1); again for "
-            "more lights; default 0.45,-0.8,-0.4");
+            "direction in which parallel light travels, and its colour (linear; default 1,1,1); "
+            "repeat it for more lights; default 0.45,-0.8,-0.4");
   addLights(command, "--point", Light::Kind::Point, player.lights,
-            "a light at a point, metres, and its colour where the head is, brighter nearer by; "
-            "again for more lights");
-  addVector(command, "--wind", player.wind, "m/s; default still air");
+            "position of a point light, metres, and its colour as it arrives at the head (brighter "
+            "nearer by); repeat it for more lights");
+  addVector(command, "--wind", player.wind, "its velocity, m/s; default still air");
   command.add_flag_callback(
-      "--no-shadow", [&player] { player.shadow = false; }, "leave self-shadowing out");
+      "--no-shadow", [&player] { player.shadow = false; }, "without self-shadowing");
   command.add_flag_callback(
       "--no-self-collision", [&player] { player.selfCollision = false; },
-      "leave hair-hair repulsion out");
+      "without self-collision: hair does not push hair");
   static const std::map<std::string, LinkSolver> solvers = {{"direct", LinkSolver::Direct},
                                                             {"relaxation", LinkSolver::Relaxation}};
   command

@@ -240,7 +240,7 @@ struct Words {
 };
 constexpr std::array<Words, kInsideCount> kWords = {{
     {"guides", "links of the simulated strands"},
-    {"tension", "the same: red where pulled, blue where pushed"},
+    {"tension", "links of the guides: red where pulled, blue where pushed"},
     {"guide frames", "normal, binormal and tangent at guide points, 5 mm"},
     {"contacts", "the collider's normal where a guide point touches it, 1 cm"},
     {"push", "of self-collision on guide points, 1 mm for 1 m/s^2"},

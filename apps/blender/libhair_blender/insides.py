@@ -16,7 +16,7 @@ _SIDES = 3
 # What Simulation.lines knows: identifier, name (in lower case libhair's), meaning.
 ITEMS = (
     ("GUIDES", "Guides", "Links of the simulated strands"),
-    ("TENSION", "Tension", "The same: red where pulled, blue where pushed"),
+    ("TENSION", "Tension", "Links of the guides: red where pulled, blue where pushed"),
     ("GUIDE_FRAMES", "Guide Frames", "Normal, binormal and tangent at guide points, 5 mm"),
     ("CONTACTS", "Contacts", "The collider's normal where a guide point touches it, 1 cm"),
     ("PUSH", "Push", "Of self-collision on guide points, 1 mm for 1 m/s²"),

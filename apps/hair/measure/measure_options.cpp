@@ -20,13 +20,14 @@ void addMeasure(CLI::App& app, Run& run, const std::string& commandLine) {
   command
       ->add_option("--alpha", options->alpha, "how opaque a strand is; default 0.6, or the style's")
       ->check(within(1e-4, 1));
-  addVectors(*command, "--light", options->lights,
-             "the way a light at infinity travels; again for more lights; default 0.45,-0.8,-0.4");
+  addVectors(
+      *command, "--light", options->lights,
+      "direction in which parallel light travels; repeat it for more; default 0.45,-0.8,-0.4");
   addVectors(*command, "--point", options->lamps,
-             "where a light at a point is, metres; again for more");
+             "position of a point light, metres; repeat it for more");
   command
       ->add_option("--footprint", options->footprints,
-                   "radius of the disc that shadows are averaged over, metres; again for more; "
+                   "radius of the disc that shadows are averaged over, metres; repeat it for more; "
                    "default 3e-3")
       ->expected(1)
       ->take_all()
@@ -81,7 +82,7 @@ void addMeasure(CLI::App& app, Run& run, const std::string& commandLine) {
 void addMeasureMotion(CLI::App& app, Run& run) {
   auto options = std::make_shared<MeasureMotionOptions>();
   CLI::App* command = app.add_subcommand(
-      "measure-motion", "Error and time of the motion over substeps and numbers of guides");
+      "measure-motion", "Measure error and time of the motion over substeps and numbers of guides");
   addCharacterOptions(*command, options->character);
   addPlayerOptions(*command, options->player, options->threads);
   SimulationTrialSettings& trial = options->trial;
@@ -89,7 +90,7 @@ void addMeasureMotion(CLI::App& app, Run& run) {
       ->check(CLI::Range(1, 1'000'000));
   command
       ->add_option("--early", trial.earlyFrames,
-                   "frames of the means over the first and the last; default 30")
+                   "frames at the start, and at the end, that errors are averaged over; default 30")
       ->check(CLI::Range(1, 1'000'000));
   command
       ->add_option("--reference", trial.referenceSubsteps,
@@ -134,11 +135,13 @@ void addMeasureMotion(CLI::App& app, Run& run) {
 
 void addPlan(CLI::App& app, Run& run) {
   auto options = std::make_shared<PlanOptions>();
-  CLI::App* command =
-      app.add_subcommand("plan", "What each feature costs in this scene, and leaving it out saves");
+  CLI::App* command = app.add_subcommand(
+      "plan", "Measure what each feature costs in a scene, and what a frame without it saves");
   addCharacterOptions(*command, options->character);
   addPlayerOptions(*command, options->player, options->threads);
-  command->add_option("--frames", options->frames, "frames of every player; default 120")
+  command
+      ->add_option("--frames", options->frames,
+                   "frames that are timed, of each variant; default 120")
       ->check(CLI::Range(10, 1'000'000));
   command->add_option("--csv", options->csv, "the same table, a row a feature")
       ->check(endsWith(".csv"));
