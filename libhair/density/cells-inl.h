@@ -6,12 +6,20 @@
 #define HAIR_DENSITY_CELLS_INL_H
 #endif
 
+#include <cstddef>
+#include <span>
+
 #include <libhair/core/simd-inl.h>
 #include <libhair/density/density_grid.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
+
+/// Sixteen points from points[at] on; beyond the span, its last one is repeated.
+HWY_INLINE Vec3 pointsFrom(std::span<const glm::vec3> points, std::size_t at) {
+  return loadPoints(points.data() + at, points.size() - at);
+}
 
 /// CellFrame::bend.
 HWY_INLINE Vec3 bend(Vec3 v, float k) {

@@ -14,4 +14,10 @@ namespace hair {
 float longestSubstep(const GuideMotion& motion, const GuideSettings& settings, float seconds,
                      const GuideStrands& guides);
 
+/// Cuts a frame into substeps: interpolates the head, from `from` to motion.worldFromHead, and the
+/// colliders at the ends of all substeps, relative to `origin` (metres, world). Fills all of
+/// `workspace` but the bending factors and the wind. `skin`: GuideSettings::skin.
+void cutFrame(const GuideMotion& motion, glm::vec3 origin, RigidTransform from, float skin,
+              std::size_t substeps, GuideWorkspace& workspace);
+
 }  // namespace hair

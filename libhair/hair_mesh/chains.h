@@ -5,24 +5,24 @@
 
 namespace HAIR_API hair {
 
-/// The chains of a hair mesh: from each vertex that a tip face stands on, down its edges between
-/// layers to the scalp (Yuksel et al. 2009, section 4: "an articulated rigid body chain directly
-/// from the edges of the hair mesh that connect the vertices of one layer to the next").
+/// The chains of a hair mesh: from each vertex of a tip face, down the edges between layers to the
+/// scalp (Yuksel et al. 2009, section 4: "an articulated rigid body chain directly from the edges
+/// of the hair mesh that connect the vertices of one layer to the next").
 ///
-/// Chains that part share their vertices below. A vertex that is the corner of a tip, while a
-/// longer bundle beside it goes on, ends one chain and is inside another.
+/// Chains that separate share the vertices below. A vertex that is a corner both of a tip and of a
+/// longer neighbouring bundle ends one chain and is an inner vertex of another.
 struct HairMeshChains {
   std::vector<std::uint32_t> vertices;     ///< [first.back()], of layer k at first[c] + k
   std::vector<std::uint32_t> first = {0};  ///< [chainCount + 1]
-  /// [cornerCount] of the mesh: the chain that ends where this corner of the bundle's tip is;
+  /// [cornerCount] of the mesh: the chain that ends at this corner of the bundle's tip face;
   /// kNoVertex for bundles without length.
   std::vector<std::uint32_t> chainOfCorner;
 
-  /// How many chains there are.
+  /// Number of chains.
   std::size_t chainCount() const { return first.size() - 1; }
-  /// Edges between layers, of all chains.
+  /// Number of edges between layers, of all chains.
   std::size_t linkCount() const { return vertices.size() - chainCount(); }
-  /// Vertices of chain c: one a layer, the scalp's first.
+  /// Vertices of chain c, one of each layer, from the scalp on.
   std::span<const std::uint32_t> chain(std::size_t c) const {
     return std::span(vertices).subspan(first[c], first[c + 1] - first[c]);
   }

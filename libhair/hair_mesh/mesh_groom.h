@@ -24,10 +24,10 @@ struct MeshGroomSettings {
 /// follows the chains at the corners of its face.
 ///
 /// `roots` and `strands` are those of the groups, one after the other: as many roots as strands,
-/// the strands styled or not (head space). Deviation: of a face's corners the three of most weight
-/// lead a strand, as everywhere in a Groom; its offsets hold the rest, so that at rest the strands
-/// are reproduced to rounding. Throws Error: no strands, counts or bundles that do not fit, a chain
-/// shorter than 1 mm, settings out of range.
+/// the strands styled or not (head space). Deviation: a strand follows the three corners of most
+/// weight, as a Groom has three parents; its offsets hold the difference, so that at rest the
+/// strands are reproduced to rounding. Throws Error for no strands, counts or bundles that do not
+/// fit, a chain shorter than 1 mm, and settings out of range.
 Groom makeGroom(const HairMesh& mesh, std::span<const HairMeshRoots> roots, StrandView strands,
                 const MeshGroomSettings& settings = {});
 

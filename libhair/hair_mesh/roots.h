@@ -40,13 +40,13 @@ struct HairMeshRoots {
   std::vector<float> weights;        ///< [firstWeight.back()], of the corners of the root's face
   std::vector<glm::vec3> positions;  ///< [rootCount], metres, when they were placed
 
-  /// How many roots there are.
+  /// Number of roots.
   std::size_t rootCount() const { return bundle.size(); }
   /// Weights of the corners of a root's face, as many as it has sides; sum 1.
   std::span<const float> weightsOf(std::size_t root) const {
     return std::span(weights).subspan(firstWeight[root], firstWeight[root + 1] - firstWeight[root]);
   }
-  /// For random numbers of this root: the same in every mesh where the root is.
+  /// Key of this root's random numbers: the same in every mesh that has the root.
   std::uint32_t key(std::size_t root) const;
 };
 

@@ -57,8 +57,8 @@ struct GrownHair {
 GrownHair growHair(const HairMesh& mesh, std::span<const StrandGroup> groups,
                    const ScalpDensity& density = {});
 
-/// Traces and styles again from the roots there are: after an edit of places. Throws Error as
-/// traceStrands does where the edit was one of topology, and leaves the hair as it was.
+/// Traces and styles again from the existing roots, after an edit of positions. Throws Error as
+/// traceStrands after an edit of topology, and leaves the hair unchanged.
 void regrow(const HairMesh& mesh, std::span<const StrandGroup> groups, GrownHair& hair);
 
 }  // namespace hair

@@ -18,9 +18,9 @@ struct WispCurveSettings {
 
 /// A groom whose guides are the wisp curves, with links of equal length, and whose drawn strands
 /// have roots of their own on the scalp: each follows the curve whose root is nearest, of its own
-/// bundle if that has one, and keeps its place in the wisp (as Choe and Ko 2005: one curve and what
-/// sets a strand apart from it). Throws Error as growHair and for fewer than 3 points of a curve,
-/// fewer than 2 of a strand, or none of either.
+/// bundle if that has one, and keeps its position in the wisp (as Choe and Ko 2005: a master
+/// strand, and what distinguishes others from it). Throws Error as growHair and for fewer than 3
+/// points of a curve, fewer than 2 of a strand, or no curves or strands.
 Groom wispGroom(const HairMesh& mesh, const WispCurveSettings& settings = {},
                 const ScalpDensity& density = {});
 

@@ -8,13 +8,13 @@
 
 namespace HAIR_API hair {
 
-/// Moves a loaded bust (metres, +Y up, face to +Z) into head space: its skull comes to lie where
-/// the built-in head has its own, so that the origin is about the top of its neck. `hairRoots`,
-/// in the mesh's coordinates, say where the skull is (the sphere they lie on best); without at
-/// least 16 roots, the uppermost 8 cm of the mesh do. Translation only.
+/// Moves a loaded bust (metres, +Y up, face to +Z) into head space: its skull is aligned with that
+/// of the built-in head, so that the origin is about the top of its neck. The skull is the sphere
+/// that fits `hairRoots` best, in the mesh's coordinates; or, for fewer than 16 roots, the
+/// uppermost 8 cm of the mesh. Translation only.
 RigidTransform placeHead(const TriangleMesh& mesh, std::span<const glm::vec3> hairRoots);
 
-/// A head for hair that comes without one.
+/// A head fitted to hair that has none.
 struct HeadFit {
   RigidTransform headFromHair;  ///< where the hair comes to lie in head space; translation only
   Head head;                    ///< the built-in head, scaled along each axis under the roots

@@ -11,8 +11,8 @@
 
 namespace HAIR_API hair {
 
-/// Where every point of new strands comes from in old ones: between points `index` and
-/// `index + 1`, at t. With t = 0 it is an old point, bit for bit.
+/// The points of new strands as positions on the old ones: between points `index` and `index + 1`,
+/// at t. With t = 0 it is an old point, bit for bit.
 struct ResamplePlan {
   /// Where one new point is.
   struct Sample {
@@ -23,8 +23,8 @@ struct ResamplePlan {
   std::vector<std::uint32_t> first = {0};  ///< [new strandCount + 1]
 };
 
-/// `count` of `total` strands, in order. The choice looks random, is always the same, and a
-/// smaller count chooses among those of a larger one.
+/// `count` of `total` strands, in order. The choice is pseudo-random but always the same; that of a
+/// smaller count is a subset of that of a larger one.
 inline std::vector<std::uint32_t> chooseStrands(std::size_t total, std::size_t count) {
   std::vector<std::uint32_t> chosen(total);
   std::iota(chosen.begin(), chosen.end(), 0u);
@@ -70,7 +70,7 @@ inline ResamplePlan planResampling(StrandView strands, const std::vector<std::ui
   return plan;
 }
 
-/// One item a new point, from one item an old point; empty stays empty.
+/// One item for each new point, from one for each old point; empty stays empty.
 template <class T>
 std::vector<T> resample(const ResamplePlan& plan, const std::vector<T>& items) {
   std::vector<T> result;

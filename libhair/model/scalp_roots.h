@@ -11,8 +11,8 @@
 
 namespace HAIR_API hair {
 
-/// Where hair parts: a line over the top of the built-in head, from the front hairline back to
-/// the whorl, from which hair falls to all sides. Metres, head space.
+/// The parting: a line over the top of the built-in head, from the front hairline back to the
+/// whorl; hair falls away from it on all sides. Metres, head space.
 struct Parting {
   float x = 0.016f;       ///< right or left of the nose
   float whorlZ = -0.03f;  ///< where the line ends

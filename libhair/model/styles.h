@@ -58,7 +58,7 @@ struct StyleSettings {
   float wholeDeviation = 0.006f;  ///< metres, about the most
 };
 
-/// What each style is made with.
+/// The settings of each style.
 StyleSettings styleSettings(Style style);
 
 /// Grows a hairstyle on the built-in head, whose distance field is `headSdf` (cells of 4 mm do).

@@ -82,9 +82,7 @@ class DeepOpacityMap final : public ImageMethod {
       : settings_(settings), layers_(settings.layers, settings.growth) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
-    requireFibre(fibre, "deep opacity map");
-    setOwnShadow(fibre, settings_);
-    const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
+    const LightImage image = startBuild(strands, fibre, light, settings_, "deep opacity map");
     words_.reset(image, settings_.layers + 1, "deep opacity map");
     image_ = image;
     const float all = image.farthest - image.nearest;

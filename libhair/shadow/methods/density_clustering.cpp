@@ -155,9 +155,7 @@ class DensityClustering final : public ImageMethod {
   explicit DensityClustering(const DensityClusteringSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
-    requireFibre(fibre, "density clustering");
-    setOwnShadow(fibre, settings_);
-    const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
+    const LightImage image = startBuild(strands, fibre, light, settings_, "density clustering");
     buildFragmentLists(strands, fibre, settings_.extinction, image, lists_);
     image_ = image;
     const std::size_t pixels = image_.pixelCount();

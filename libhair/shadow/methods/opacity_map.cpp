@@ -15,9 +15,7 @@ class OpacityMap final : public ImageMethod {
   explicit OpacityMap(const OpacityMapSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
-    requireFibre(fibre, "opacity map");
-    setOwnShadow(fibre, settings_);
-    const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
+    const LightImage image = startBuild(strands, fibre, light, settings_, "opacity map");
     sums_.reset(image, settings_.slices, "opacity map");
     image_ = image;
     // Hair in one plane would give slices of height 0.
