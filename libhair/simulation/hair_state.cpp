@@ -12,6 +12,7 @@
 #include <libhair/core/error.h>
 #include <libhair/files/byte_reader.h>
 #include <libhair/guides/validate.h>
+#include <libhair/simulation/saved_state.h>
 
 namespace hair {
 
@@ -206,7 +207,7 @@ void saveState(const Hair& hair, std::ostream& out) {
   require(out.good(), kName, ": cannot write");
 }
 
-void restoreState(std::istream& in, Hair& hair) {
+SavedState readState(std::istream& in, const Hair& hair) {
   std::string bytes;
   take(in, sizeof(Header), bytes);
   const auto header = ByteReader(bytes, kName).read<Header>("header");
@@ -221,73 +222,80 @@ void restoreState(std::istream& in, Hair& hair) {
   ByteReader reader(summed, kName);
   reader.seek(sizeof(Header), "poses");
   const auto read = [&]<class T>(std::vector<T>& values, std::size_t count, const char* what) {
-    values.clear();
     reader.appendFinite(values, count, what);
   };
   std::vector<Pose> poses;
-  std::vector<Capsule> capsules;
-  std::vector<Plane> planes;
   std::vector<Placement> placements;
-  GuideStrands guides = hair.guides;
-  std::vector<Lanes> allowed, windShare;
-  std::vector<LaneVec3> push;
-  std::vector<glm::vec3> points, rootOffsets;
-  std::vector<float> clearance;
+  SavedState state;
   read(poses, 2, "pose");
-  read(capsules, header.capsules, "capsule");
-  read(planes, header.planes, "plane");
+  read(state.capsules, header.capsules, "capsule");
+  read(state.planes, header.planes, "plane");
   read(placements, header.meshes, "placement of a mesh");
-  read(guides.position, header.points, "guide position");
-  read(guides.velocity, header.points, "guide velocity");
-  read(guides.tension, hair.guides.tension.size(), "guide tension");
-  read(allowed, header.felt, "allowed density");
-  read(push, header.felt, "push");
-  read(windShare, header.sheltered, "share of the wind");
-  read(points, header.drawn, "drawn point");
-  read(rootOffsets, header.strands, "root offset");
-  read(clearance, header.strands, "clearance");
-  if (allowed.empty()) {  // saved without self-collision: keep this hair's rest density
-    allowed = hair.repulsion.allowed;
-    push.resize(allowed.size());
+  read(state.position, header.points, "guide position");
+  read(state.velocity, header.points, "guide velocity");
+  read(state.tension, hair.guides.tension.size(), "guide tension");
+  read(state.allowed, header.felt, "allowed density");
+  read(state.push, header.felt, "push");
+  read(state.windShare, header.sheltered, "share of the wind");
+  read(state.points, header.drawn, "drawn point");
+  read(state.rootOffsets, header.strands, "root offset");
+  read(state.clearance, header.strands, "clearance");
+  state.worldFromHead = transformOf(poses[0]);
+  state.worldFromRoots = transformOf(poses[1]);
+  state.time = header.time;
+  state.turn = header.turn;
+  state.waiting = header.waiting;
+  state.learntWith = header.learntWith;
+  if (header.felt == 0) {  // saved without self-collision: keep this hair's rest density
+    state.allowed = hair.repulsion.allowed;
+    state.learntWith = hair.repulsion.learntWith;
+    state.push.resize(state.allowed.size());
   }
 
   // Keep this hair's distance fields if the number of meshes matches; otherwise the next frame
   // takes its meshes as at rest.
-  std::vector<MeshCollider> meshes = hair.meshes;
-  if (meshes.size() != placements.size()) meshes.clear();
-  for (std::size_t m = 0; m < meshes.size(); ++m)
-    meshes[m] = {meshes[m].sdf, transformOf(placements[m].pose), placements[m].scale};
+  if (hair.meshes.size() == placements.size())
+    for (std::size_t m = 0; m < placements.size(); ++m)
+      state.meshes.push_back(
+          {hair.meshes[m].sdf, transformOf(placements[m].pose), placements[m].scale});
 
   constexpr float kFarthest = 1e10f, kFastest = 1e15f;
-  requireWithin(guides.position, -kFarthest, kFarthest, "guide position");
-  requireWithin(guides.velocity, -kFastest, kFastest, "guide velocity");
-  requireWithin(allowed, 0, INFINITY, "allowed density");
-  requireWithin(push, -1e6f, 1e6f, "push");
-  requireWithin(windShare, 0, 1, "share of the wind");
-  requireWithin(points, -kFarthest, kFarthest, "drawn point");
-  requireWithin(rootOffsets, -kFarthest, kFarthest, "root offset");
-  requireWithin(clearance, -kFarthest, kFarthest, "clearance");
-  const RigidTransform worldFromHead = transformOf(poses[0]);
-  guides.worldFromHead = transformOf(poses[1]);
-  requireGood(worldFromHead, guides.worldFromHead, std::span<const Capsule>(capsules),
-              Scenery{planes, meshes});
+  requireWithin(state.position, -kFarthest, kFarthest, "guide position");
+  requireWithin(state.velocity, -kFastest, kFastest, "guide velocity");
+  requireWithin(state.allowed, 0, INFINITY, "allowed density");
+  requireWithin(state.push, -1e6f, 1e6f, "push");
+  requireWithin(state.windShare, 0, 1, "share of the wind");
+  requireWithin(state.points, -kFarthest, kFarthest, "drawn point");
+  requireWithin(state.rootOffsets, -kFarthest, kFarthest, "root offset");
+  requireWithin(state.clearance, -kFarthest, kFarthest, "clearance");
+  requireGood(state.worldFromHead, state.worldFromRoots, std::span<const Capsule>(state.capsules),
+              Scenery{state.planes, state.meshes});
+  return state;
+}
 
-  // From here on nothing throws.
-  hair.worldFromHead = worldFromHead;
-  hair.guides = std::move(guides);
-  hair.capsules = std::move(capsules);
-  hair.planes = std::move(planes);
-  hair.meshes = std::move(meshes);
-  hair.repulsion.windShare = std::move(windShare);
-  if (header.felt > 0) hair.repulsion.learntWith = header.learntWith;
-  hair.repulsion.allowed = std::move(allowed);
-  hair.repulsion.push = std::move(push);
-  hair.repulsion.turn = header.turn;
-  hair.repulsion.waiting = header.waiting;
-  hair.wisps.points = std::move(points);
-  hair.wisps.rootOffsets = std::move(rootOffsets);
-  hair.wisps.clearance = std::move(clearance);
-  hair.time = header.time;
+void assignState(SavedState&& state, Hair& hair) noexcept {
+  hair.worldFromHead = state.worldFromHead;
+  hair.capsules = std::move(state.capsules);
+  hair.planes = std::move(state.planes);
+  hair.meshes = std::move(state.meshes);
+  hair.time = state.time;
+  hair.guides.worldFromHead = state.worldFromRoots;
+  hair.guides.position = std::move(state.position);
+  hair.guides.velocity = std::move(state.velocity);
+  hair.guides.tension = std::move(state.tension);
+  hair.repulsion.allowed = std::move(state.allowed);
+  hair.repulsion.push = std::move(state.push);
+  hair.repulsion.windShare = std::move(state.windShare);
+  hair.repulsion.learntWith = state.learntWith;
+  hair.repulsion.turn = state.turn;
+  hair.repulsion.waiting = state.waiting;
+  hair.wisps.points = std::move(state.points);
+  hair.wisps.rootOffsets = std::move(state.rootOffsets);
+  hair.wisps.clearance = std::move(state.clearance);
+}
+
+void restoreState(std::istream& in, Hair& hair) {
+  assignState(readState(in, hair), hair);
 }
 
 }  // namespace hair

@@ -11,13 +11,14 @@ namespace HAIR_API hair {
 /// Teleports hair and head to `worldFromHead`: applies the head's rigid motion to guides, drawn
 /// points, capsules, velocities and repulsion, so that the hair keeps its shape and gets no
 /// impulse. Forgets planes and meshes: the next frame takes its own as at rest. Gravity and wind
-/// stay in world axes. Throws Error for a head that is not finite.
+/// stay in world axes. Throws Error for a head that is not finite, or where floats are too coarse
+/// (requirePrecision).
 void teleport(const RigidTransform& worldFromHead, Hair& hair);
 
 /// Rebases the world to `origin`: later input is relative to it. Hair keeps its shape, velocity and
 /// place. Positions are floats, most precise near the origin: programs that travel far should
 /// rebase before requirePrecision (guides/validate.h) rejects a frame. Wind gusts and map cells
-/// shift with the origin. Throws Error for an origin that is not finite.
+/// shift with the origin. Throws Error for an origin that is not finite, or too far from the head.
 void moveOrigin(glm::vec3 origin, Hair& hair);
 
 /// Replaces the colliders: the next frame treats those of `body` as having been at rest. Guides

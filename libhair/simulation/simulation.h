@@ -122,6 +122,8 @@ class Simulation {
     BodyState state() const { return {worldFromHead, capsules, {planes, meshes}}; }
     void assign(const BodyState& body);
   };
+  void requireLight(const RigidTransform& worldFromHead) const;
+  void requireHead(const RigidTransform& worldFromHead) const;
   void requireFrame(const BodyState& body) const;
 
   std::shared_ptr<const Groom> groom_;

@@ -71,11 +71,17 @@ void fillFittingMap(const DrawnHair& drawn, const Light& light, const FrameSetti
 
 }  // namespace
 
-void applyLevel(Hair& hair) {
+void requireLevel(const Hair& hair) {
   if (hair.level == hair.wisps.drawn.level) return;
+  validate(hair.level);
   require(hair.detail,
           "level of detail: Hair::level is set, but Hair::detail is null; make a "
           "GroomDetail of the groom");
+}
+
+void applyLevel(Hair& hair) {
+  if (hair.level == hair.wisps.drawn.level) return;
+  requireLevel(hair);
   setLevel(*hair.detail, hair.level, hair.wisps);
   hair.visibility.clear();  // it had one value for each old point
 }

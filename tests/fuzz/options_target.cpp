@@ -8,7 +8,7 @@
 
 #include <apps/common/command_line.h>
 #include <apps/dance/options.h>
-#include <apps/hair/measure_check.h>
+#include <apps/hair/measure/check.h>
 #include <apps/hair/options.h>
 
 #include "promise.h"

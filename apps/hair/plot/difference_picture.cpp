@@ -1,4 +1,4 @@
-#include <apps/hair/difference_picture.h>
+#include <apps/hair/plot/difference_picture.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <apps/common/svg.h>
-#include <apps/hair/method_style.h>
+#include <apps/hair/plot/method_style.h>
 #include <libhair/core/error.h>
 #include <libhair/model/resample.h>
 

@@ -2,7 +2,7 @@
 
 #include <iosfwd>
 
-#include <apps/hair/measure_report.h>
+#include <apps/hair/measure/measure_report.h>
 
 namespace hair {
 

@@ -3,7 +3,7 @@
 #include <iosfwd>
 #include <vector>
 
-#include <apps/hair/measure_report.h>
+#include <apps/hair/measure/measure_report.h>
 #include <libhair/measure/shadow/choose.h>
 
 namespace hair {

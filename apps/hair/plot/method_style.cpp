@@ -1,4 +1,4 @@
-#include <apps/hair/method_style.h>
+#include <apps/hair/plot/method_style.h>
 
 #include <apps/common/svg.h>
 #include <libhair/core/error.h>

@@ -4,7 +4,7 @@
 #include <apps/common/measured.h>
 #include <apps/common/svg.h>
 #include <apps/hair/commands.h>
-#include <apps/hair/motion_plot.h>
+#include <apps/hair/plot/motion_plot.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>

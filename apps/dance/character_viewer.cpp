@@ -1,4 +1,4 @@
-#include <apps/dance/show.h>
+#include <apps/dance/character_viewer.h>
 
 #include <chrono>
 #include <cmath>
@@ -48,7 +48,7 @@ Controls controlsOf(const DanceOptions& options) {
   return c;
 }
 
-Show::Show(const DanceOptions& options, const Controls::Growth& growth)
+CharacterViewer::CharacterViewer(const DanceOptions& options, const Controls::Growth& growth)
     : character(subjectOf(options, growth)),
       player(character, options.player),
       view(player),
@@ -57,7 +57,7 @@ Show::Show(const DanceOptions& options, const Controls::Growth& growth)
   view.frameHead(glm::radians(options.yaw), glm::radians(options.pitch), options.distance);
 }
 
-void Show::apply(const Controls& c) {
+void CharacterViewer::apply(const Controls& c) {
   FrameSettings& settings = player.settings;
   settings.appearance = c.look;
   view.headShadowsHair = c.headShadowsHair;
@@ -91,7 +91,7 @@ void Show::apply(const Controls& c) {
   applied_ = c;
 }
 
-void Show::takeOver(const draw::Scene& before) {
+void CharacterViewer::takeOver(const draw::Scene& before) {
   view.scene.camera.yaw = before.camera.yaw;
   view.scene.camera.pitch = before.camera.pitch;
   view.scene.camera.distance = before.camera.distance;
@@ -99,17 +99,17 @@ void Show::takeOver(const draw::Scene& before) {
 }
 
 // Hair of what an edit leaves.
-void Show::follow() {
+void CharacterViewer::follow() {
   player.simulation.setSettings(player.settings);
   player.simulation.setGroom(std::make_shared<Groom>(groomOf(editor_->hair())));
   rest();
 }
 
-void Show::rest() {
+void CharacterViewer::rest() {
   player.simulation.restart(player.simulation.body(), 0);
 }
 
-bool Show::edit(const draw::Pointer& pointer, glm::vec2 size) {
+bool CharacterViewer::edit(const draw::Pointer& pointer, glm::vec2 size) {
   if (!character.mesh) return false;
   if (!editor_) editor_ = std::make_unique<MeshEditor>(*character.mesh);
   const draw::Camera& camera = view.scene.camera;
@@ -145,17 +145,17 @@ bool Show::edit(const draw::Pointer& pointer, glm::vec2 size) {
   return dragged_.has_value();
 }
 
-void Show::undo() {
+void CharacterViewer::undo() {
   editor_->undo();
   follow();
 }
 
-void Show::redo() {
+void CharacterViewer::redo() {
   editor_->redo();
   follow();
 }
 
-void Show::report(Readout& r) const {
+void CharacterViewer::report(Readout& r) const {
   const Hair& hair = player.hair;
   r.strands = hair.strands().strandCount();
   r.points = hair.strands().pointCount();

@@ -14,13 +14,14 @@ namespace hair {
 /// What the command line says, as the panel shows it.
 Controls controlsOf(const DanceOptions& options);
 
-/// A character in a view that obeys the panel.
-class Show {
+/// A character that plays in a view, under the panel's controls, and whose hair mesh can be edited
+/// there. The window has one; other hair makes another (takeOver).
+class CharacterViewer {
  public:
   /// The hair of `growth`, everything else of the command line. Throws Error as Character does.
-  Show(const DanceOptions& options, const Controls::Growth& growth);
-  Show(const Show&) = delete;
-  Show& operator=(const Show&) = delete;
+  CharacterViewer(const DanceOptions& options, const Controls::Growth& growth);
+  CharacterViewer(const CharacterViewer&) = delete;
+  CharacterViewer& operator=(const CharacterViewer&) = delete;
 
   /// Passes on what has changed since the last call; shadows again where that needs it, so that a
   /// paused picture changes too.

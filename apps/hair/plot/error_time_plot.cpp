@@ -1,11 +1,11 @@
-#include <apps/hair/svg_plot.h>
+#include <apps/hair/plot/error_time_plot.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <apps/common/svg.h>
-#include <apps/hair/method_style.h>
+#include <apps/hair/plot/method_style.h>
 #include <libhair/core/error.h>
 
 namespace hair {

@@ -1,7 +1,7 @@
-#include <apps/hair/visibility_plot.h>
+#include <apps/hair/plot/visibility_plot.h>
 
 #include <apps/common/svg.h>
-#include <apps/hair/method_style.h>
+#include <apps/hair/plot/method_style.h>
 #include <libhair/core/error.h>
 
 namespace hair {

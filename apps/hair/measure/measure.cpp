@@ -7,11 +7,11 @@
 
 #include <apps/common/progress.h>
 #include <apps/hair/commands.h>
-#include <apps/hair/measure_check.h>
-#include <apps/hair/measure_choice.h>
-#include <apps/hair/measure_report.h>
-#include <apps/hair/measure_tables.h>
-#include <apps/hair/report_html.h>
+#include <apps/hair/measure/check.h>
+#include <apps/hair/measure/choice.h>
+#include <apps/hair/measure/measure_report.h>
+#include <apps/hair/measure/report_html.h>
+#include <apps/hair/measure/tables.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>

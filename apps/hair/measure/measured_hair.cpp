@@ -1,4 +1,4 @@
-#include <apps/hair/measured_hair.h>
+#include <apps/hair/measure/measured_hair.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include <apps/hair/measure_choice.h>
+#include <apps/hair/measure/choice.h>
 
 #include <iomanip>
 #include <iostream>

@@ -1,4 +1,4 @@
-#include <apps/hair/measure_tables.h>
+#include <apps/hair/measure/tables.h>
 
 #include <algorithm>
 #include <cmath>

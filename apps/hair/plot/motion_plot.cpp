@@ -1,4 +1,4 @@
-#include <apps/hair/motion_plot.h>
+#include <apps/hair/plot/motion_plot.h>
 
 #include <algorithm>
 #include <span>

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <apps/hair/measure_report.h>
+#include <apps/hair/measure/measure_report.h>
 
 namespace hair {
 

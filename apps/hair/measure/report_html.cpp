@@ -1,4 +1,4 @@
-#include <apps/hair/report_html.h>
+#include <apps/hair/measure/report_html.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include <apps/common/svg.h>
-#include <apps/hair/difference_picture.h>
-#include <apps/hair/measure_choice.h>
-#include <apps/hair/method_style.h>
-#include <apps/hair/svg_plot.h>
-#include <apps/hair/visibility_plot.h>
+#include <apps/hair/measure/choice.h>
+#include <apps/hair/plot/difference_picture.h>
+#include <apps/hair/plot/error_time_plot.h>
+#include <apps/hair/plot/method_style.h>
+#include <apps/hair/plot/visibility_plot.h>
 #include <libhair/core/error.h>
 
 namespace hair {

@@ -1,4 +1,4 @@
-#include <apps/hair/measure_check.h>
+#include <apps/hair/measure/check.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <apps/hair/commands.h>
-#include <apps/hair/measured_hair.h>
+#include <apps/hair/measure/measured_hair.h>
 #include <libhair/light/light_space.h>
 #include <libhair/measure/shadow/choose.h>
 #include <libhair/measure/shadow/flicker.h>
