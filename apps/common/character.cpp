@@ -29,7 +29,7 @@ StrandSet loadHair(const CharacterOptions& options, std::vector<std::string>& no
   StrandFile file = readStrands(options.hair, options.read);
   notes.push_back(text(options.hair.filename().string(), ": ", file.strands.strandCount(),
                        " strands, ", file.strands.pointCount(), " points; ", file.scale,
-                       " m a unit, up axis ", upAxisText(file.up)));
+                       " m a unit, up axis ", wordOf(file.up)));
   const std::size_t dropped = dropDegenerate(file.strands);
   if (dropped > 0)
     notes.push_back(text("dropped ", dropped, " strands of a single point or shorter than 1 mm"));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 
 namespace HAIR_API hair {
 
@@ -11,5 +12,12 @@ struct Fibre {
   float opacity = 0.6f;         ///< of one hair to the light, (0, 1]
   float hairsPerStrand = 30.f;  ///< hairs that one drawn strand represents, >= 1
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const Fibre*) {
+  using S = Fibre;
+  return std::tuple(Field("width", &S::width, "(0, 1) m"), Field("opacity", &S::opacity, "(0, 1]"),
+                    Field("hairsPerStrand", &S::hairsPerStrand, "[1, 1e9)"));
+}
 
 }  // namespace hair

@@ -8,9 +8,7 @@
 namespace hair {
 
 void validate(const DensityGridSettings& s) {
-  require(s.cells >= 2 && s.cells <= 1024, "cells: ", s.cells, " is not in 2 to 1024");
-  require(s.cellSize >= 1e-6f && s.cellSize <= 1e6f, "density grid: cell size ", s.cellSize,
-          " m is not in 1e-6 to 1e6");
+  validateFields(s, "density grid");
 }
 
 int DensityGrid::depth() const {

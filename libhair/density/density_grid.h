@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/density/brick_store.h>
 #include <libhair/density/cell_frame.h>
 
@@ -22,6 +23,11 @@ enum class Deposit {
   Columns,
   Segments,  ///< clips every segment to the cells that it crosses
 };
+/// Words for them (core/fields.h).
+constexpr auto wordsOf(Deposit) {
+  return std::array{Word("points", Deposit::Points), Word("columns", Deposit::Columns),
+                    Word("segments", Deposit::Segments)};
+}
 
 /// Resolution of a grid, and how strands are splatted.
 struct DensityGridSettings {
@@ -32,6 +38,14 @@ struct DensityGridSettings {
   /// Edge length of the grid, metres; cells wrap beyond it.
   float extent() const { return static_cast<float>(cells) * cellSize; }
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const DensityGridSettings*) {
+  using S = DensityGridSettings;
+  return std::tuple(Field("cells", &S::cells, "[2, 1024]"),
+                    Field("cellSize", &S::cellSize, "[1e-6, 1e6] m"),
+                    Field("deposit", &S::deposit));
+}
 /// Throws Error that names the setting out of range.
 void validate(const DensityGridSettings& settings);
 

@@ -6,6 +6,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/error.h>
+#include <libhair/core/fields.h>
 #include <libhair/light/light_space.h>
 
 namespace HAIR_API hair {
@@ -37,6 +38,11 @@ struct Light {
   /// Equal, field by field.
   bool operator==(const Light&) const = default;
 };
+
+/// Words for them (core/fields.h).
+constexpr auto wordsOf(Light::Kind) {
+  return std::array{Word("parallel", Light::Kind::Parallel), Word("point", Light::Kind::Point)};
+}
 
 /// Throws Error for a colour that is negative, a direction without length, and numbers that are not
 /// finite.

@@ -205,17 +205,7 @@ void push(const DensityGrid& grid, const RepulsionSettings& settings,
 }  // namespace
 
 void validate(const RepulsionSettings& s) {
-  const auto field = [](bool good, const char* name, auto value, const char* range) {
-    require(good, "repulsion settings: ", name, " = ", value, " is not in ", range);
-  };
-  field(s.cells >= 2 && s.cells <= 1024, "cells", s.cells, "[2, 1024]");
-  field(s.cellSize >= 1e-6f && s.cellSize <= 1e6f, "cellSize", s.cellSize, "[1e-6, 1e6] m");
-  field(s.strandStride >= 1, "strandStride", s.strandStride, "[1, ...)");
-  field(s.threshold >= 0 && s.threshold < 1e30f, "threshold", s.threshold, "[0, 1e30) m/m^3");
-  field(s.tolerance >= 1 && s.tolerance < 1e6f, "tolerance", s.tolerance, "[1, 1e6)");
-  field(s.strength >= 0 && s.strength < 1e6f, "strength", s.strength, "[0, 1e6) m/s^2");
-  field(s.limit >= 0 && s.limit < 1e12f, "limit", s.limit, "[0, 1e12) m/s^2");
-  field(s.interval > 0 && s.interval <= 1, "interval", s.interval, "(0, 1] s");
+  validateFields(s, "repulsion settings");
 }
 
 int repelPasses(float seconds, const RepulsionSettings& settings, Repulsion& repulsion) {

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/core/random.h>
 #include <libhair/core/strands.h>
 #include <libhair/shade/illumination.h>
@@ -46,6 +47,21 @@ struct KajiyaKaySettings {
     return 1.0f + variation * (2.0f * uniform(strand, kUse) - 1.0f);
   }
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const KajiyaKaySettings*) {
+  using S = KajiyaKaySettings;
+  return std::tuple(
+      Field("rootColour", &S::rootColour, "[0, 1e6] each"),
+      Field("tipColour", &S::tipColour, "[0, 1e6] each"),
+      Field("variation", &S::variation, "[0, 1]"), Field("ambient", &S::ambient, "[0, 1e6]"),
+      Field("diffuse", &S::diffuse, "[0, 1e6]"), Field("specular", &S::specular, "[0, 1e6]"),
+      Field("exponent", &S::exponent, "[0, 1e6]"),
+      Field("secondSpecular", &S::secondSpecular, "[0, 1e6]"),
+      Field("secondExponent", &S::secondExponent, "[0, 1e6]"),
+      Field("firstShift", &S::firstShift, "[-10, 10] radians"),
+      Field("secondShift", &S::secondShift, "[-10, 10] radians"));
+}
 
 /// Throws Error that names the field and its range.
 void validate(const KajiyaKaySettings& settings);

@@ -8,12 +8,10 @@
 namespace hair {
 
 void validate(const DensityMapSettings& s) {
-  validate(static_cast<const DensityGridSettings&>(s));
-  require(s.filter != Filter::Footprint || (s.footprint >= 0 && s.footprint <= 10 * s.cellSize),
-          "density map: footprint ", s.footprint, " m is not in 0 to 10 cells of ", s.cellSize,
+  validateFields(s, "density map");
+  require(s.filter != Filter::Footprint || s.footprint <= 10 * s.cellSize,
+          "density map: footprint ", s.footprint, " m is more than 10 cells of ", s.cellSize,
           " m; take larger cells");
-  require(s.pointExtinction >= 0 && std::isfinite(s.pointExtinction),
-          "density map: point extinction ", s.pointExtinction, " is negative or not finite");
 }
 
 DensityMapSettings settingsForFootprint(float footprint, float extentNeeded, int mostCells) {

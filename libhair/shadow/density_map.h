@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/density/density_grid.h>
 #include <libhair/light/light_space.h>
 #include <libhair/shadow/transmittances.h>
@@ -20,6 +21,11 @@ enum class Filter {
   /// an object of that size. Accurate, with cells of half the footprint.
   Footprint,
 };
+/// Words for them (core/fields.h).
+constexpr auto wordsOf(Filter) {
+  return std::array{Word("none", Filter::None), Word("paper", Filter::Paper),
+                    Word("centred", Filter::Centred), Word("footprint", Filter::Footprint)};
+}
 
 /// Resolution of a map, splatting (DensityGridSettings; cells as large as the shadow's footprint),
 /// and filter.
@@ -31,6 +37,15 @@ struct DensityMapSettings : DensityGridSettings {
   /// optical depth of segments, for the strands' mean spacing and uniformly distributed directions.
   float pointExtinction = 0;
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const DensityMapSettings*) {
+  using S = DensityMapSettings;
+  return std::tuple_cat(
+      fieldsOf(static_cast<const DensityGridSettings*>(nullptr)),
+      std::tuple(Field("filter", &S::filter), Field("footprint", &S::footprint, "[0, inf) m"),
+                 Field("pointExtinction", &S::pointExtinction, "[0, inf) 1/m")));
+}
 /// Throws Error that names the setting out of range.
 void validate(const DensityMapSettings& settings);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/core/profile.h>
 #include <libhair/geometry/mesh_sdf.h>
 #include <libhair/guides/settings.h>
@@ -42,6 +43,17 @@ struct FrameSettings {
   Appearance appearance;   ///< reflectance model, colours and highlights
   glm::vec3 eye{0, 0, 1};  ///< camera position, metres; highlights depend on it
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const FrameSettings*) {
+  using S = FrameSettings;
+  return std::tuple(Field("guides", &S::guides), Field("selfCollision", &S::selfCollision),
+                    Field("repulsion", &S::repulsion), Field("wind", &S::wind),
+                    Field("lights", &S::lights), Field("shadow", &S::shadow), Field("map", &S::map),
+                    Field("bodyShadow", &S::bodyShadow), Field("shade", &S::shade),
+                    Field("encode", &S::encode), Field("radiance", &S::radiance),
+                    Field("appearance", &S::appearance), Field("eye", &S::eye, "[0, 1e15) m"));
+}
 
 /// Throws Error that names the field and its range, for every stage of a frame.
 void validate(const FrameSettings& settings);

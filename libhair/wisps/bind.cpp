@@ -78,10 +78,8 @@ void keepShape(StrandView strands, Groom& groom) {
 Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
   validate(strands, "bindGroom", 2);
   require(strands.strandCount() > 0, "bindGroom: no strands");
-  require(settings.guides >= 1, "bindGroom: guides = 0; take at least 1");
-  require(settings.pointsPerGuide >= 2 && settings.pointsPerGuide <= kMaxGuidePoints,
-          "bindGroom: pointsPerGuide = ", settings.pointsPerGuide, " is not in 2 to ",
-          kMaxGuidePoints);
+  static_assert(rangeOf(&BindSettings::pointsPerGuide).most() == kMaxGuidePoints);
+  validateFields(settings, "bindGroom");
   const auto features = featuresOf(strands, settings.shapeWeight);
   const auto guides = chooseGuides(features, settings.guides);
 

@@ -13,8 +13,7 @@ namespace hair {
 namespace {
 
 void check(const Groom& groom, const WispSettings& settings) {
-  require(settings.clearance >= 0 && settings.clearance < 0.1f,
-          "wisp settings: clearance = ", settings.clearance, " is not in [0, 0.1) m");
+  validateFields(settings, "wisp settings");
   validateStrands(groom);
 }
 

@@ -6,6 +6,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/drawn_hair.h>
+#include <libhair/core/fields.h>
 #include <libhair/guides/contact.h>
 #include <libhair/model/groom.h>
 #include <libhair/model/level_of_detail.h>
@@ -21,6 +22,14 @@ struct WispSettings {
   float clearance = 1e-3f;        ///< metres that drawn points keep from colliders, [0, 0.1)
   std::uint32_t blendPoints = 4;  ///< points before the first hit that blend into the fallback
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const WispSettings*) {
+  using S = WispSettings;
+  return std::tuple(Field("avoidColliders", &S::avoidColliders),
+                    Field("clearance", &S::clearance, "[0, 0.1) m"),
+                    Field("blendPoints", &S::blendPoints, "[0, inf)"));
+}
 
 /// The part of a groom that is drawn (setLevel).
 struct DrawnPart {

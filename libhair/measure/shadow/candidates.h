@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/core/strands.h>
 #include <libhair/light/light_space.h>
 #include <libhair/shadow/methods/shadow_method.h>
@@ -23,6 +24,10 @@ enum class CandidateSet {
   Quick,  ///< each method once, with good default settings for this footprint, and `auto`
   All,    ///< each at several resolutions and layer counts, among them those of its own paper
 };
+/// Words for them (core/fields.h).
+constexpr auto wordsOf(CandidateSet) {
+  return std::array{Word("quick", CandidateSet::Quick), Word("all", CandidateSet::All)};
+}
 
 /// Settings to compare for shadows averaged over a disc of radius `footprint` (metres, > 0), sized
 /// for the strands' extent under this light. `auto` comes first. Throws Error for a footprint that

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/core/strands.h>
 #include <libhair/light/light_space.h>
 #include <libhair/measure/shadow/truth.h>
@@ -24,6 +25,15 @@ struct PilotSettings {
   float noise = 5e-3f;
   std::uint32_t seed = 0x9107u;  ///< of points and rays
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const PilotSettings*) {
+  using S = PilotSettings;
+  return std::tuple(Field("points", &S::points, "[8, inf)"),
+                    Field("leastRays", &S::leastRays, "[8, inf)"),
+                    Field("mostRays", &S::mostRays, "[8, inf)"),
+                    Field("noise", &S::noise, "(0, inf)"), Field("seed", &S::seed));
+}
 
 /// Expected mean absolute error of transmittance at the points of the hair, and the standard error
 /// of that, from the pilot's choice of points and rays.

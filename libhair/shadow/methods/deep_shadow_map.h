@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/shadow/methods/fragment_lists.h>
 #include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
@@ -21,6 +22,14 @@ struct DeepShadowMapSettings {
   Extinction extinction = Extinction::Unbiased;  ///< how opacity becomes optical depth
   LateralFilter filter = LateralFilter::Linear;  ///< between pixels
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const DeepShadowMapSettings*) {
+  using S = DeepShadowMapSettings;
+  return std::tuple(Field("pixelSize", &S::pixelSize, "(0, inf) m"),
+                    Field("tolerance", &S::tolerance, "[0, inf)"),
+                    Field("extinction", &S::extinction), Field("filter", &S::filter));
+}
 
 /// A vertex of a visibility function: linear between two, a step between two at the same depth, 1
 /// in front of the first, constant behind the last.

@@ -32,7 +32,8 @@ Bounds cellBounds(std::span<const glm::vec3> points, const CellFrame& frame) {
 }  // namespace
 
 LightImage makeLightImage(StrandView strands, const LightSpace& light, float pixelSize) {
-  requirePixelSize(pixelSize, "light image");
+  require(pixelSize > 0 && std::isfinite(pixelSize), "light image: pixel size ", pixelSize,
+          " m is not positive");
   LightImage image;
   image.pixelSize = pixelSize;
   if (strands.pointCount() == 0) return image;
@@ -50,11 +51,6 @@ LightImage makeLightImage(StrandView strands, const LightSpace& light, float pix
   image.nearest = box.lower.x;
   image.farthest = box.upper.x;
   return image;
-}
-
-void requirePixelSize(float pixelSize, const char* method) {
-  require(pixelSize > 0 && std::isfinite(pixelSize), method, ": pixel size ", pixelSize,
-          " m is not positive");
 }
 
 void requireFibre(const Fibre& fibre, const char* method) {

@@ -45,9 +45,6 @@ struct LightImage {
 /// No hair: an image of no pixels.
 LightImage makeLightImage(StrandView strands, const LightSpace& light, float pixelSize);
 
-/// Throws Error for a pixel size that is not positive; `method` begins the message.
-void requirePixelSize(float pixelSize, const char* method);
-
 /// Throws Error for a fibre whose width, opacity or hairs a strand is negative or not finite;
 /// `method` begins the message.
 void requireFibre(const Fibre& fibre, const char* method);

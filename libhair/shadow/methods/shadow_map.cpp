@@ -100,14 +100,10 @@ class ShadowMap final : public ShadowMethod {
 }  // namespace
 
 std::unique_ptr<ShadowMethod> makeShadowMap(const ShadowMapSettings& settings) {
-  requirePixelSize(settings.pixelSize, "shadow map");
-  require(settings.filterRadius >= 0 && std::isfinite(settings.filterRadius),
-          "shadow map: filter radius ", settings.filterRadius, " m is negative or not finite");
+  validateFields(settings, "shadow map");
   require(settings.filterRadius <= kWidestFilter * settings.pixelSize, "shadow map: filter radius ",
           settings.filterRadius, " m is more than ", kWidestFilter, " pixels of ",
           settings.pixelSize, " m; take larger pixels");
-  require(settings.bias >= 0 && std::isfinite(settings.bias), "shadow map: bias ", settings.bias,
-          " m is negative or not finite");
   return std::make_unique<ShadowMap>(settings);
 }
 

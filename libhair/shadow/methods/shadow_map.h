@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
 
@@ -18,6 +19,14 @@ struct ShadowMapSettings {
   float filterRadius = 3e-3f;  ///< metres, >= 0: radius of the disc of compared pixels
   float bias = 1e-3f;          ///< metres, >= 0, by which points are moved towards the light
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const ShadowMapSettings*) {
+  using S = ShadowMapSettings;
+  return std::tuple(Field("pixelSize", &S::pixelSize, "(0, inf) m"),
+                    Field("filterRadius", &S::filterRadius, "[0, inf) m"),
+                    Field("bias", &S::bias, "[0, inf) m"));
+}
 
 /// Throws Error for settings out of range.
 std::unique_ptr<ShadowMethod> makeShadowMap(const ShadowMapSettings& settings);
