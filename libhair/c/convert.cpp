@@ -1,7 +1,7 @@
 #include <libhair/c/convert.h>
 
 #include <libhair/c/boundary.h>
-#include <libhair/geometry/shared_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 
 namespace hair::c {
 

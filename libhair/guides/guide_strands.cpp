@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/core/state_hash.h>
 #include <libhair/geometry/mesh_sdf.h>
+#include <libhair/guides/rest_shape.h>
 #include <libhair/guides/validate.h>
 
 namespace hair {

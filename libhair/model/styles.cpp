@@ -9,6 +9,7 @@
 #include <libhair/core/transform.h>
 #include <libhair/model/comb.h>
 #include <libhair/model/fill_wisps.h>
+#include <libhair/model/scalp_roots.h>
 #include <libhair/model/styles.h>
 
 namespace hair {

@@ -7,7 +7,6 @@
 #include <libhair/geometry/mesh_sdf.h>
 #include <libhair/model/groom.h>
 #include <libhair/model/head.h>
-#include <libhair/model/scalp_roots.h>
 
 namespace HAIR_API hair {
 
@@ -21,6 +20,19 @@ enum class Style : std::uint8_t {
 constexpr auto wordsOf(Style) {
   return std::array{Word("smooth", Style::Smooth), Word("curly", Style::Curly),
                     Word("long", Style::Long)};
+}
+
+/// The parting: a line over the top of the built-in head, from the front hairline back to the
+/// whorl; hair falls away from it on all sides. Metres, head space.
+struct Parting {
+  float x = 0.016f;       ///< right or left of the nose
+  float whorlZ = -0.03f;  ///< where the line ends
+};
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const Parting*) {
+  using S = Parting;
+  return std::tuple(Field("x", &S::x, "[-1, 1] m"), Field("whorlZ", &S::whorlZ, "[-1, 1] m"));
 }
 
 /// How a hairstyle is grown on the built-in head. Lengths in metres. `styleSettings` gives the

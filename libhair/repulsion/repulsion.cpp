@@ -14,21 +14,22 @@ class DensityLookup {
  public:
   HWY_INLINE explicit DensityLookup(const DensityGrid& grid)
       : grid_(grid),
+        frame_(grid.cells->frame),
         codes_(grid),
-        slots_(grid.bricks.slots(0)),
-        counts_(grid.bricks.cells(0)),
+        slots_(grid.cells->bricks.slots(0)),
+        counts_(grid.cells->bricks.cells(0)),
         perCount_(grid.quantum /
                   (grid.settings.cellSize * grid.settings.cellSize * grid.settings.cellSize)) {}
 
   // Direction of the push, of length <= 1, and the density.
   HWY_INLINE void push(RepulsionKind kind, const Vec3& p, Vec3& direction, Floats& density) const {
     if (kind == RepulsionKind::CellCentre) {
-      const Cell c = cellOf(cellCoordinates(grid_.frame, p));
+      const Cell c = cellOf(cellCoordinates(frame_, p));
       density = densitiesOf(c, 0, 0).first;
       const Floats half = 0.5f;
       const Vec3 inFrame =
-          Vec3(c.whole.x + half, c.whole.y + half, c.whole.z + half) - Vec3(grid_.frame.fraction);
-      const Vec3 out = p - (Vec3(grid_.frame.anchor) + rotate(grid_.frame.worldFromCell, inFrame));
+          Vec3(c.whole.x + half, c.whole.y + half, c.whole.z + half) - Vec3(frame_.fraction);
+      const Vec3 out = p - (Vec3(frame_.anchor) + rotate(frame_.worldFromCell, inFrame));
       const Floats l = length(out);
       direction = select(l > Floats(0.0f), (Floats(1.0f) / l) * out, Vec3(glm::vec3(0)));
       return;
@@ -48,7 +49,7 @@ class DensityLookup {
 
   // sampleDensity.
   HWY_INLINE void sample(const Vec3& p, Floats& density, Vec3& gradient) const {
-    const Vec3 u = cellCoordinates(grid_.frame, p) - Vec3(glm::vec3(0.5f));
+    const Vec3 u = cellCoordinates(frame_, p) - Vec3(glm::vec3(0.5f));
     const Cell c = cellOf(u);
     const Vec3 f = u - c.whole, g = Vec3(glm::vec3(1)) - f;
     // Along z, then y, then x; a derivative replaces the mean of two values by their difference.
@@ -65,7 +66,7 @@ class DensityLookup {
                        acrossZ[0] * g.x + acrossZ[1] * f.x);
     density = alongY[0] * g.x + alongY[1] * f.x;
     // d/dworld = (dcell/dworld)^T d/dcell.
-    gradient = rotate(glm::transpose(grid_.frame.cellFromWorld), perCell);
+    gradient = rotate(glm::transpose(frame_.cellFromWorld), perCell);
   }
 
  private:
@@ -114,6 +115,7 @@ class DensityLookup {
 
   static_assert(brick::kCells == 256);
   const DensityGrid& grid_;
+  const CellFrame& frame_;
   CellCodes codes_;
   const std::uint32_t* slots_;
   const std::uint32_t* counts_;
@@ -179,7 +181,7 @@ HWY_AFTER_NAMESPACE();
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/state_hash.h>
-#include <libhair/density/deposit.h>
+#include <libhair/density/density_grid.h>
 
 namespace hair {
 

@@ -8,6 +8,7 @@
 
 #include <libhair/shade/encode-inl.h>
 #include <libhair/shade/kajiya_kay.h>
+#include <libhair/shade/shaded_points.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
@@ -206,6 +207,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <libhair/core/error.h>
+#include <libhair/core/random.h>
 
 namespace hair {
 
@@ -217,6 +219,11 @@ HWY_EXPORT(shadeRange);
 
 void validate(const KajiyaKaySettings& s) {
   validateFields(s, "appearance");
+}
+
+float KajiyaKaySettings::lightnessOf(std::uint32_t strand) const {
+  constexpr std::uint32_t kUse = 0x5aade;  // seed of this use of uniform()
+  return 1.0f + variation * (2.0f * uniform(strand, kUse) - 1.0f);
 }
 
 KajiyaKaySettings KajiyaKaySettings::plain() {

@@ -7,10 +7,6 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/fields.h>
-#include <libhair/core/random.h>
-#include <libhair/core/strands.h>
-#include <libhair/shade/illumination.h>
-#include <libhair/shade/shaded_points.h>
 
 namespace HAIR_API hair {
 
@@ -21,7 +17,7 @@ namespace HAIR_API hair {
 ///
 /// with E_l the light's colour; for a point light, times (distance of light and pivot / distance of
 /// light and point)², the latter clamped to at least 1 cm. Ambient light is white and independent
-/// of the lights. A strand of one point has no tangent and gets only the ambient term. literal.h
+/// of the lights. A strand of one point has no tangent and gets only the ambient term. literal.cpp
 /// has the full formula.
 struct KajiyaKaySettings {
   glm::vec3 rootColour{0.115f, 0.055f, 0.026f};  ///< at the root
@@ -42,10 +38,7 @@ struct KajiyaKaySettings {
   static KajiyaKaySettings plain();
 
   /// Factor of a strand's colours, deterministic: [1 - variation, 1 + variation].
-  float lightnessOf(std::uint32_t strand) const {
-    constexpr std::uint32_t kUse = 0x5aade;  // seed of this use of uniform()
-    return 1.0f + variation * (2.0f * uniform(strand, kUse) - 1.0f);
-  }
+  float lightnessOf(std::uint32_t strand) const;
 };
 
 /// Its fields and their ranges (core/fields.h).
@@ -65,11 +58,5 @@ constexpr auto fieldsOf(const KajiyaKaySettings*) {
 
 /// Throws Error that names the field and its range.
 void validate(const KajiyaKaySettings& settings);
-
-/// Strands begin to end - 1, on the calling thread, without checks; called by `shade`
-/// (appearance.h).
-void shadeStrands(StrandView strands, std::size_t begin, std::size_t end,
-                  const Illumination& illumination, const KajiyaKaySettings& settings,
-                  ShadedPoints out);
 
 }  // namespace hair

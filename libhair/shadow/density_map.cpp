@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/shadow/transmittances.h>
 
 namespace hair {
 
@@ -27,11 +28,16 @@ DensityMapSettings settingsForFootprint(float footprint, float extentNeeded, int
   return settings;
 }
 
+DensityMap::DensityMap() : bricks(std::make_unique<LitBricks>()) {}
+DensityMap::~DensityMap() = default;
+DensityMap::DensityMap(DensityMap&&) noexcept = default;
+DensityMap& DensityMap::operator=(DensityMap&&) noexcept = default;
+
 std::size_t DensityMap::bytes() const {
   return grid.bytes() +
-         (grid.bricks.size() + 1) * Transmittances::kLayers * Transmittances::kLayer *
+         (grid.brickCount() + 1) * Transmittances::kLayers * Transmittances::kLayer *
              sizeof(float) +
-         lightIn.size() * sizeof(lightIn[0]);
+         bricks->lightIn.size() * sizeof(bricks->lightIn[0]);
 }
 
 void clear(DensityMap& map, const DensityMapSettings& settings, const LightSpace& light) {

@@ -1,4 +1,4 @@
-#include <libhair/simulation/hair_state.h>
+#include <libhair/simulation/frame.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
+#include <libhair/core/state_hash.h>
 #include <libhair/files/byte_reader.h>
 #include <libhair/guides/validate.h>
 #include <libhair/simulation/saved_state.h>

@@ -4,12 +4,10 @@
 #include <utility>
 
 #include <libhair/core/error.h>
-#include <libhair/shade/encode.h>
-#include <libhair/shadow/deposit.h>
-#include <libhair/shadow/filter.h>
-#include <libhair/shadow/occlude.h>
-#include <libhair/shadow/transmittance.h>
-#include <libhair/simulation/scene_changes.h>
+#include <libhair/density/grid_cells.h>
+#include <libhair/shade/appearance.h>
+#include <libhair/shadow/density_map.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair {
 
@@ -154,7 +152,7 @@ void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
       fillFittingMap(drawn, settings.lights[l], settings, hair, map);
     }
     {
-      const auto cells = static_cast<std::int64_t>(map.grid.bricks.size() * brick::kCells);
+      const auto cells = static_cast<std::int64_t>(map.grid.brickCount() * brick::kCells);
       const StageTimer timer(profile, Stage::Transmittance, cells);
       computeTransmittance(map);
     }

@@ -8,6 +8,7 @@
 #include <libhair/core/parallel.h>
 #include <libhair/guides/guide_strands.h>
 #include <libhair/model/resample.h>
+#include <libhair/wisps/guide_curves.h>
 #include <libhair/wisps/wisps.h>
 
 namespace hair {
@@ -68,7 +69,7 @@ void keepShape(StrandView strands, Groom& groom) {
       const std::uint32_t n = groom.first[s + 1] - groom.first[s];
       for (std::uint32_t k = 0; k < n; ++k) {
         const std::size_t at = groom.first[s] + k;
-        const auto frame = wisps.curves.frame(groom.parents[s].x, wisps.sampleOf(k, n));
+        const auto frame = wisps.curves->frame(groom.parents[s].x, wisps.sampleOf(k, n));
         groom.offsets[at] = frame.fromWorld(strands.points[at] - wisps.points[at]);
       }
     }

@@ -9,7 +9,7 @@
 #include <libhair/files/strand_file.h>
 #include <libhair/guides/settings.h>
 #include <libhair/light/light.h>
-#include <libhair/measure/shadow/candidates.h>
+#include <libhair/measure/shadow/shadow_trial.h>
 #include <libhair/model/styles.h>
 #include <libhair/repulsion/repulsion.h>
 #include <libhair/shadow/density_map.h>

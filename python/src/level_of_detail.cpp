@@ -1,7 +1,7 @@
 // How much of a groom is drawn.
 #include "level_of_detail.h"
 
-#include <libhair/wisps/level.h>
+#include <libhair/wisps/wisps.h>
 
 #include "fields.h"
 #include "groom.h"

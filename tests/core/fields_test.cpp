@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <libhair/core/fibre.h>
 #include <libhair/core/fields.h>
+#include <libhair/core/strands.h>
 #include <libhair/measure/shadow/error_model.h>
 #include <libhair/model/styles.h>
 #include <libhair/shadow/methods/shadow_method.h>

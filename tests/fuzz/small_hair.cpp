@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include <libhair/core/state_hash.h>
-#include <libhair/simulation/hair_state.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair {
 

@@ -29,7 +29,7 @@ HWY_AFTER_NAMESPACE();
 #include <gtest/gtest.h>
 
 #include <libhair/core/random.h>
-#include <libhair/guides/step.h>
+#include <libhair/guides/guide_strands.h>
 
 #include "sphere_groom.h"
 

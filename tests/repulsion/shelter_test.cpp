@@ -4,7 +4,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/instruction_set.h>
-#include <libhair/guides/step.h>
+#include <libhair/guides/guide_strands.h>
 #include <libhair/repulsion/repulsion.h>
 
 namespace hair {

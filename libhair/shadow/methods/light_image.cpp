@@ -4,6 +4,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/density/cell_frame.h>
 
 namespace hair {
 

@@ -6,14 +6,13 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/density/cell_walk.h>
-#include <libhair/light/light_space.h>
+#include <libhair/light/light.h>
 #include <libhair/shadow/extinction.h>
 #include <libhair/shadow/methods/cell_batch.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Image plane of a camera at the light, shared by all image methods. Pixels are the cells of a
 /// CellFrame projected along the light; depths are along the light, in pixels.

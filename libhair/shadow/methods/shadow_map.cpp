@@ -1,6 +1,7 @@
 #include <libhair/shadow/methods/shadow_map.h>
 
 #include <libhair/core/error.h>
+#include <libhair/density/cell_frame.h>
 #include <libhair/shadow/methods/layer_sums.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
