@@ -86,7 +86,7 @@ void forPairs(C& c, Own& own, Copy copy) {
   copy(c.wind, own.wind.velocity, "wind");
   copy(c.gust, own.wind.gust, "gust");
   copy(c.gust_length, own.wind.gustLength, "gust_length");
-  copy(c.wind_shelter, own.wind.shelter, "wind_shelter");
+  copy(c.wind_shelter, own.wind.occlusion, "wind_shelter");
 
   copy(c.shadow, own.shadow, "shadow");
   copy(c.body_shadow, own.bodyShadow, "body_shadow");

@@ -46,10 +46,10 @@ struct Wind {
   float gust = 0.5f;        ///< amplitude of the gusts, as a fraction of the speed, [0, 1]
   float gustLength = 0.5f;  ///< length of the longest gusts over 2 pi, metres, [1e-3, 1e6)
   /// Attenuation of the wind by hair, metres, [0, 1]: behind a column density of d metres of hair
-  /// per square metre across the wind, the fraction exp(-shelter · d) of it is left. Real hair:
+  /// per square metre across the wind, the fraction exp(-occlusion · d) of it is left. Real hair:
   /// half its width times its drag coefficient, about 1e-4; 0: none, at no cost. Uses the density
-  /// of self-collision; without that there is no shelter.
-  float shelter = 0;
+  /// of self-collision; without that there is none.
+  float occlusion = 0;
 
   /// No wind.
   bool still() const { return velocity == glm::vec3(0); }
@@ -84,7 +84,7 @@ constexpr auto fieldsOf(const Wind*) {
   return std::tuple(Field("velocity", &S::velocity, "[0, 200) m/s"),
                     Field("gust", &S::gust, "[0, 1]"),
                     Field("gustLength", &S::gustLength, "[1e-3, 1e6) m"),
-                    Field("shelter", &S::shelter, "[0, 1] m"));
+                    Field("occlusion", &S::occlusion, "[0, 1] m"));
 }
 
 /// Throws Error that names the field and its range.

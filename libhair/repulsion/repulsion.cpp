@@ -149,10 +149,10 @@ void pushes(const DensityGrid& grid, const RepulsionSettings& settings, const La
 
 // Attenuation of the wind at `count` · 16 points. `step`: upwind vector whose largest component is
 // one cell.
-void sheltered(const DensityGrid& grid, float shelter, const glm::vec3& step,
-               const LaneVec3* points, std::size_t count, Lanes* out) {
+void attenuateWind(const DensityGrid& grid, float occlusion, const glm::vec3& step,
+                   const LaneVec3* points, std::size_t count, Lanes* out) {
   const DensityLookup lookup(grid);
-  const Floats perDensity = shelter * glm::length(step);
+  const Floats perDensity = occlusion * glm::length(step);
   for (std::size_t at = 0; at < count; ++at) {
     const Vec3 p = points[at];
     Floats sum = 0.0f;
@@ -189,7 +189,7 @@ namespace {
 
 HWY_EXPORT(densities);
 HWY_EXPORT(pushes);
-HWY_EXPORT(sheltered);
+HWY_EXPORT(attenuateWind);
 
 // Skip an empty grid: it may have no memory.
 void lookUp(const DensityGrid& grid, RepulsionKind kind, std::span<const LaneVec3> points,
@@ -284,17 +284,17 @@ void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repuls
   repulsion.turn = 1 - turn;
 }
 
-void shelter(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion) {
+void occludeWind(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion) {
   validate(wind);
   const std::size_t points = guides.position.size();
   repulsion.windShare.assign(points, lanes(1));
-  if (wind.still() || wind.shelter == 0 || repulsion.density.empty()) return;
+  if (wind.still() || wind.occlusion == 0 || repulsion.density.empty()) return;
   const glm::vec3 size = glm::abs(wind.velocity);
   const glm::vec3 step = -repulsion.density.settings.cellSize /
                          glm::max(size.x, glm::max(size.y, size.z)) * wind.velocity;
-  const auto fill = HWY_DYNAMIC_DISPATCH(sheltered);
+  const auto fill = HWY_DYNAMIC_DISPATCH(attenuateWind);
   parallelFor(points, 64, [&](std::size_t begin, std::size_t end) {
-    fill(repulsion.density, wind.shelter, step, &guides.position[begin], end - begin,
+    fill(repulsion.density, wind.occlusion, step, &guides.position[begin], end - begin,
          &repulsion.windShare[begin]);
   });
 }

@@ -90,9 +90,10 @@ void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& 
 /// no push, so repulsion cannot keep a groom from settling. Threads over groups.
 void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repulsion& repulsion);
 
-/// Attenuation of the wind at each guide point by the hair upwind of it (Wind::shelter). Integrates
-/// density from one to five cells away; excludes the point's own cell, so that a lone strand across
-/// the wind is not attenuated. Threads over points. Throws Error for a wind that is not valid.
-void shelter(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion);
+/// Attenuation of the wind at each guide point by the hair upwind of it (Wind::occlusion).
+/// Integrates density from one to five cells away; excludes the point's own cell, so that a lone
+/// strand across the wind is not attenuated. Threads over points. Throws Error for a wind that is
+/// not valid.
+void occludeWind(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion);
 
 }  // namespace hair

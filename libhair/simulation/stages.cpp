@@ -117,7 +117,7 @@ void moveGuides(const BodyState& body, const FrameSettings& settings, float seco
   if (settings.selfCollision) {
     motion.push = hair.repulsion.push;
     const bool measured = hair.repulsion.windShare.size() == hair.guides.position.size();
-    if (settings.wind.shelter > 0 && measured) motion.windShare = hair.repulsion.windShare;
+    if (settings.wind.occlusion > 0 && measured) motion.windShare = hair.repulsion.windShare;
   }
   stepGuides(motion, settings.guides, seconds, HairScratch::guides(hair), hair.guides);
 }
@@ -136,7 +136,7 @@ void repelFromDensity(const FrameSettings& settings, float seconds, Hair& hair,
   measureDensity(countedStrands(settings.repulsion, hair), hair.groom->fibre, settings.repulsion,
                  hair.repulsion.density);
   for (int i = 0; i < turns; ++i) repel(hair.guides, settings.repulsion, hair.repulsion);
-  if (settings.wind.shelter > 0) shelter(hair.guides, settings.wind, hair.repulsion);
+  if (settings.wind.occlusion > 0) occludeWind(hair.guides, settings.wind, hair.repulsion);
 }
 
 void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
