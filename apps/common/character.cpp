@@ -6,7 +6,7 @@
 #include <libhair/core/error.h>
 #include <libhair/files/bvh_file.h>
 #include <libhair/files/obj.h>
-#include <libhair/model/head_fit.h>
+#include <libhair/model/head.h>
 #include <libhair/model/resample.h>
 #include <libhair/wisps/bind.h>
 
@@ -29,7 +29,7 @@ StrandSet loadHair(const CharacterOptions& options, std::vector<std::string>& no
   StrandFile file = readStrands(options.hair, options.read);
   notes.push_back(text(options.hair.filename().string(), ": ", file.strands.strandCount(),
                        " strands, ", file.strands.pointCount(), " points; ", file.scale,
-                       " m a unit, up axis ", upAxisText(file.up)));
+                       " m a unit, up axis ", wordOf(file.up)));
   const std::size_t dropped = dropDegenerate(file.strands);
   if (dropped > 0)
     notes.push_back(text("dropped ", dropped, " strands of a single point or shorter than 1 mm"));
@@ -146,7 +146,7 @@ Motion makeMotion(const CharacterOptions& options, std::vector<std::string>& not
     notes.push_back(text(options.motion.filename().string(), ": ", joints[flip.joint], " flips by ",
                          flip.degrees, " degrees at frame ", flip.frame, "; ", flip.frames,
                          flip.frames == 1 ? " frame" : " frames", " interpolated"));
-  for (const std::string& note : motion.body().notes) notes.push_back(note);
+  for (const std::string& note : motion.notes()) notes.push_back(note);
   return motion;
 }
 

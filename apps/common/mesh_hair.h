@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <libhair/core/transform.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/hair_mesh/hair_mesh.h>
-#include <libhair/hair_mesh/styling.h>
 #include <libhair/model/groom.h>
 
 namespace hair {

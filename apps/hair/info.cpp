@@ -52,7 +52,7 @@ void printStrands(const InfoOptions& options) {
     row("frames") << frames << ", " << in.seconds(frames - 1) - in.seconds(0)
                   << " s from first to last; below: the first\n";
   row("read as") << file.scale << " m per unit, " << upAxisMeaning(file.up) << " (--up "
-                 << upAxisText(file.up) << "); below: metres, +Y up, +Z face\n";
+                 << wordOf(file.up) << "); below: metres, +Y up, +Z face\n";
   row("strands") << strands.strandCount() << '\n';
   row("points") << strands.pointCount() << "; a strand: " << points.least << " to " << points.most
                 << ", median " << points.median << '\n';

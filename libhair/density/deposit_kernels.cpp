@@ -45,7 +45,7 @@ HWY_INLINE void forRuns(StrandView strands, StrandRange range, Visit&& visit) {
 }
 
 void pointsKernel(StrandView strands, StrandRange range, CellWriter& writer) {
-  const CellFrame& frame = writer.grid().frame;
+  const CellFrame& frame = writer.grid().cells->frame;
   const CellCodes codes(writer.grid());
   const Ints each(static_cast<std::int32_t>(range.stride));
   PointBox box;

@@ -73,12 +73,25 @@ struct Scenery {
   bool empty() const { return planes.empty() && meshes.empty(); }
 };
 
+/// Most capsules that a body may have.
+inline constexpr std::size_t kMaxCapsules = 64;
+
 /// Largest number of planes of a Scenery.
 inline constexpr std::size_t kMaxPlanes = 8;
 /// Largest number of meshes of a Scenery.
 inline constexpr std::size_t kMaxMeshes = 8;
 /// Least MeshCollider::scale.
 inline constexpr float kSmallestMeshScale = 1e-6f;
+
+/// Head, body and scenery at the end of a step, and before it.
+struct ColliderState {
+  RigidTransform worldFromHead,       ///< at the end
+      worldFromHeadBefore;            ///< before
+  std::span<const Capsule> capsules,  ///< at the end
+      capsulesBefore;                 ///< before; same count and order
+  const MeshSdf* head = nullptr;      ///< in head space; may be null
+  Scenery scenery{};                  ///< planes and meshes at the end
+};
 
 /// Throws Error, naming the collider and the cause, for too many of a kind, normals and rotations
 /// that are not unit, scales out of range, meshes without a distance field, and positions that are

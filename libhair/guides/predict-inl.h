@@ -8,7 +8,7 @@
 #endif
 
 #include <libhair/guides/group-inl.h>
-#include <libhair/guides/step.h>
+#include <libhair/guides/guide_strands.h>
 #include <libhair/motion/wind-inl.h>
 
 HWY_BEFORE_NAMESPACE();

@@ -22,7 +22,8 @@
 #include <libhair/guides/predict-inl.h>
 #include <libhair/guides/relaxation-inl.h>
 
-#include <libhair/guides/step.h>
+#include <libhair/guides/guide_strands.h>
+#include <libhair/guides/substep_memory.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
@@ -102,7 +103,7 @@ void substep(const Group& g, const GuideSettings& settings, const WindField* win
 
 // Run all substeps of one group before those of the next: its state stays in the L1 cache.
 void stepGroups(const GuideMotion& motion, const GuideSettings& settings, float h,
-                const GuideWorkspace& workspace, std::size_t begin, std::size_t end,
+                const SubstepMemory& workspace, std::size_t begin, std::size_t end,
                 GuideStrands& guides) {
   const std::uint32_t n = guides.pointsPerGuide(), links = n - 1;
   const BendingFactors& factors = workspace.bending;
@@ -165,8 +166,14 @@ void shift(GuideStrands& guides, glm::vec3 by) {
 
 }  // namespace
 
+GuideWorkspace::GuideWorkspace() : memory_(std::make_unique<SubstepMemory>()) {}
+GuideWorkspace::~GuideWorkspace() = default;
+GuideWorkspace::GuideWorkspace(GuideWorkspace&&) noexcept = default;
+GuideWorkspace& GuideWorkspace::operator=(GuideWorkspace&&) noexcept = default;
+
 void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,
-                GuideWorkspace& workspace, GuideStrands& guides) {
+                GuideWorkspace& kept, GuideStrands& guides) {
+  SubstepMemory& workspace = kept.memory();
   // Refuse input that a kernel could only turn into NaN.
   require(seconds >= 1e-6f && seconds <= 1, "stepGuides: a frame of ", seconds,
           " s is not in [1e-6, 1]; cut longer times into frames");

@@ -1,3 +1,4 @@
+#include <libhair/guides/rest_shape.h>
 #include <libhair/guides/substeps.h>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ float longestSubstep(const GuideMotion& motion, const GuideSettings& settings, f
 }
 
 void cutFrame(const GuideMotion& motion, glm::vec3 origin, RigidTransform from, float skin,
-              std::size_t substeps, GuideWorkspace& workspace) {
+              std::size_t substeps, SubstepMemory& workspace) {
   RigidTransform to = motion.worldFromHead;
   from.translation -= origin, to.translation -= origin;
   const std::size_t capsules = motion.capsules.size();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <libhair/core/api.h>
-#include <libhair/hair_mesh/exterior.h>
+#include <libhair/hair_mesh/hair_mesh.h>
 
 namespace HAIR_API hair {
 

@@ -6,7 +6,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/guides/rest_shape.h>
-#include <libhair/hair_mesh/trace.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/model/comb.h>
 #include <libhair/wisps/bind.h>
 

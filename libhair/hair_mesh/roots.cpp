@@ -1,4 +1,4 @@
-#include <libhair/hair_mesh/roots.h>
+#include <libhair/hair_mesh/grow.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
-#include <libhair/model/scalp_roots.h>
+#include <libhair/model/styles.h>
 
 namespace HAIR_API hair {
 

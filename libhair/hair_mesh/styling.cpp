@@ -1,4 +1,4 @@
-#include <libhair/hair_mesh/styling.h>
+#include <libhair/hair_mesh/grow.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/hair_mesh/mean_value.h>
-#include <libhair/hair_mesh/trace.h>
 #include <libhair/model/guide_curve.h>
 
 namespace hair {

@@ -6,6 +6,7 @@
 #include <libhair/core/random.h>
 #include <libhair/geometry/colliders.h>
 #include <libhair/model/comb.h>
+#include <libhair/model/scalp_roots.h>
 
 namespace hair {
 namespace {

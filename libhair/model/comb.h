@@ -4,10 +4,9 @@
 #include <span>
 #include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/model/styles.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Grows one guide from `root`: along the head away from the parting, then down, at a clearance
 /// from head, neck and shoulders that grows along the guide (so that hair from above lies over hair

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <libhair/core/api.h>
 #include <libhair/model/styles.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Makes a drawn strand for each root: weights from the root's position among its wisp's guides
 /// (n·wisp .. n·wisp + n - 1 of groom.guidePoints; n = `guidesPerWisp`, 3 or 1), and offsets for

@@ -7,7 +7,6 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
-#include <libhair/core/fibre.h>
 #include <libhair/core/strands.h>
 
 namespace HAIR_API hair {

@@ -2,6 +2,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/shade/shaded_points.h>
 
 namespace hair {
 

@@ -1,4 +1,4 @@
-#include <libhair/simulation/hair_state.h>
+#include <libhair/simulation/frame.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
+#include <libhair/core/state_hash.h>
 #include <libhair/files/byte_reader.h>
 #include <libhair/guides/validate.h>
 #include <libhair/simulation/saved_state.h>
@@ -34,7 +35,7 @@ constexpr std::string_view kName = "saved state";
 //   f32[3·16·g·n] each          guide positions, velocities
 //   f32[16·g·(n - 1)]           tension of links
 //   f32[16·g·n], f32[3·16·g·n]  with self-collision: density allowed, push
-//   f32[16·g·n]                 with shelter: attenuation of the wind
+//   f32[16·g·n]                 with occlusion of the wind: attenuation of the wind
 //   f32[3] a point              drawn points
 //   f32[3], f32 a strand        offsets of drawn roots, clearance of drawn strands
 //   u64                         StateHash of all bytes before
@@ -46,10 +47,10 @@ struct Header {
   double time;
   float waiting;         // Repulsion::waiting
   std::uint32_t points;  // guide points / 16
-  std::uint32_t felt;    // equal to points, or 0 without self-collision
+  std::uint32_t pushes;  // equal to points, or 0 without self-collision
   std::uint32_t capsules, drawn, strands;
   std::uint32_t planes, meshes;
-  std::uint32_t sheltered;   // equal to points, or 0 without shelter
+  std::uint32_t windShares;  // equal to points, or 0 without its occlusion
   std::uint32_t learntWith;  // Repulsion::learntWith
 };
 static_assert(sizeof(Header) == 72, "without gaps");
@@ -96,11 +97,11 @@ Header headerOf(const Hair& hair) {
   header.waiting = hair.repulsion.waiting;
   header.points = count(hair.guides.position);
   header.learntWith = hair.repulsion.learntWith;
-  header.felt = count(hair.repulsion.allowed);
+  header.pushes = count(hair.repulsion.allowed);
   header.capsules = count(hair.capsules);
   header.planes = count(hair.planes);
   header.meshes = count(hair.meshes);
-  header.sheltered = count(hair.repulsion.windShare);
+  header.windShares = count(hair.repulsion.windShare);
   header.drawn = count(hair.wisps.points);
   header.strands = count(hair.wisps.rootOffsets);
   return header;
@@ -138,21 +139,21 @@ void check(const Header& header, const Hair& hair) {
           kName,
           ": of another groom, or of guide settings that shape another rest; load it into "
           "the hair that it was saved of");
-  require(std::isfinite(header.time) && (header.felt == 0 || header.felt == own.points) &&
+  require(std::isfinite(header.time) && (header.pushes == 0 || header.pushes == own.points) &&
               header.turn <= 1 && header.waiting >= 0 && header.waiting <= 1 &&
               header.capsules <= kMaxCapsules && header.planes <= kMaxPlanes &&
               header.meshes <= kMaxMeshes &&
-              (header.sheltered == 0 || header.sheltered == own.points),
-          kName, ": ", header.time, " s, ", header.felt, " pushes, ", header.sheltered,
+              (header.windShares == 0 || header.windShares == own.points),
+          kName, ": ", header.time, " s, ", header.pushes, " pushes, ", header.windShares,
           " shares of wind, turn ", header.turn, ", ", header.capsules, " capsules, ",
           header.planes, " planes and ", header.meshes, " meshes cannot be (damaged)");
 }
 
 std::size_t bodySize(const Header& h, std::size_t links) {
   return 2 * sizeof(Pose) + h.capsules * sizeof(Capsule) + h.planes * sizeof(Plane) +
-         h.meshes * sizeof(Placement) + std::size_t{h.sheltered} * sizeof(Lanes) +
+         h.meshes * sizeof(Placement) + std::size_t{h.windShares} * sizeof(Lanes) +
          std::size_t{h.points} * 2 * sizeof(LaneVec3) + links * sizeof(Lanes) +
-         std::size_t{h.felt} * (sizeof(Lanes) + sizeof(LaneVec3)) +
+         std::size_t{h.pushes} * (sizeof(Lanes) + sizeof(LaneVec3)) +
          std::size_t{h.drawn} * sizeof(glm::vec3) +
          std::size_t{h.strands} * (sizeof(glm::vec3) + sizeof(float));
 }
@@ -234,9 +235,9 @@ SavedState readState(std::istream& in, const Hair& hair) {
   read(state.position, header.points, "guide position");
   read(state.velocity, header.points, "guide velocity");
   read(state.tension, hair.guides.tension.size(), "guide tension");
-  read(state.allowed, header.felt, "allowed density");
-  read(state.push, header.felt, "push");
-  read(state.windShare, header.sheltered, "share of the wind");
+  read(state.allowed, header.pushes, "allowed density");
+  read(state.push, header.pushes, "push");
+  read(state.windShare, header.windShares, "share of the wind");
   read(state.points, header.drawn, "drawn point");
   read(state.rootOffsets, header.strands, "root offset");
   read(state.clearance, header.strands, "clearance");
@@ -246,7 +247,7 @@ SavedState readState(std::istream& in, const Hair& hair) {
   state.turn = header.turn;
   state.waiting = header.waiting;
   state.learntWith = header.learntWith;
-  if (header.felt == 0) {  // saved without self-collision: keep this hair's rest density
+  if (header.pushes == 0) {  // saved without self-collision: keep this hair's rest density
     state.allowed = hair.repulsion.allowed;
     state.learntWith = hair.repulsion.learntWith;
     state.push.resize(state.allowed.size());

@@ -1,4 +1,4 @@
-#include <libhair/simulation/scene_changes.h>
+#include <libhair/simulation/frame.h>
 
 #include <algorithm>
 #include <utility>

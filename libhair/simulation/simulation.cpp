@@ -1,12 +1,11 @@
+#include <libhair/simulation/saved_state.h>
 #include <libhair/simulation/simulation.h>
 
 #include <utility>
 
 #include <libhair/core/error.h>
 #include <libhair/guides/validate.h>
-#include <libhair/simulation/hair_state.h>
-#include <libhair/simulation/saved_state.h>
-#include <libhair/simulation/scene_changes.h>
+#include <libhair/simulation/frame.h>
 #include <libhair/simulation/stages.h>
 
 namespace hair {

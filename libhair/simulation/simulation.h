@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
-#include <libhair/guides/measure.h>
+#include <libhair/guides/guide_strands.h>
 #include <libhair/model/level_of_detail.h>
 #include <libhair/simulation/frame.h>
 

@@ -10,6 +10,7 @@
 #include <libhair/core/random.h>
 #include <libhair/files/strand_file.h>
 #include <libhair/wisps/bind.h>
+#include <libhair/wisps/guide_curves.h>
 #include <libhair/wisps/literal.h>
 #include <libhair/wisps/wisps.h>
 

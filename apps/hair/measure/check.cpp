@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include <libhair/core/error.h>
-#include <libhair/light/light_space.h>
-#include <libhair/measure/shadow/candidates.h>
+#include <libhair/light/light.h>
+#include <libhair/measure/shadow/shadow_trial.h>
 
 namespace hair {
 

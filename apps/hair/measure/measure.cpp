@@ -15,7 +15,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>
-#include <libhair/measure/shadow/candidates.h>
+#include <libhair/measure/shadow/shadow_trial.h>
 
 namespace hair {
 

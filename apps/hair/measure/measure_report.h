@@ -9,7 +9,7 @@
 
 #include <apps/hair/commands.h>
 #include <apps/hair/measure/measured_hair.h>
-#include <libhair/light/light_space.h>
+#include <libhair/light/light.h>
 #include <libhair/measure/shadow/choose.h>
 #include <libhair/measure/shadow/flicker.h>
 #include <libhair/measure/shadow/shadow_trial.h>

@@ -46,7 +46,7 @@ MeasuredHair fromFile(const MeasureOptions& options) {
   require(!sound.empty(), character.hair.string(),
           ": no strand is longer than 1 mm; check --scale");
   hair.notes.push_back(text(hair.name, ": ", read, " strands, ", file.strands.pointCount(),
-                            " points; ", file.scale, " m a unit, up axis ", upAxisText(file.up)));
+                            " points; ", file.scale, " m a unit, up axis ", wordOf(file.up)));
   if (sound.size() < read)
     hair.notes.push_back(
         text("dropped ", read - sound.size(), " strands of a single point or shorter than 1 mm"));

@@ -10,7 +10,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/transform.h>
-#include <libhair/geometry/shared_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 #include <libhair/hair_mesh/operations.h>
 #include <libhair/model/comb.h>
 

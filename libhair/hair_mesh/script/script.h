@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/hair_mesh/hair_mesh.h>
-#include <libhair/hair_mesh/styling.h>
 
 namespace hair {
 // What a script is applied to: the hairstyle so far, its selections, the head. Not public.

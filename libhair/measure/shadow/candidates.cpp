@@ -1,4 +1,4 @@
-#include <libhair/measure/shadow/candidates.h>
+#include <libhair/measure/shadow/shadow_trial.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
-#include <libhair/shadow/automatic.h>
+#include <libhair/shadow/density_map.h>
 
 namespace hair {
 

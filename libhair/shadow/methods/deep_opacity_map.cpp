@@ -168,11 +168,7 @@ class DeepOpacityMap final : public ImageMethod {
 }  // namespace
 
 std::unique_ptr<ShadowMethod> makeDeepOpacityMap(const DeepOpacityMapSettings& settings) {
-  requirePixelSize(settings.pixelSize, "deep opacity map");
-  require(settings.layers >= 1 && settings.layers <= kMostLayers,
-          "deep opacity map: ", settings.layers, " layers are not in 1 to ", kMostLayers);
-  require(settings.depth > 0 && std::isfinite(settings.depth), "deep opacity map: depth ",
-          settings.depth, " m of all layers is not positive");
+  validateFields(settings, "deep opacity map");
   require(settings.depthBits == 8 || settings.depthBits == 16 || settings.depthBits == 32,
           "deep opacity map: depths of ", settings.depthBits, " bits are not 8, 16 or 32");
   return std::make_unique<DeepOpacityMap>(settings);

@@ -175,10 +175,7 @@ class DeepShadowMap final : public ImageMethod {
 }  // namespace
 
 std::unique_ptr<ShadowMethod> makeDeepShadowMap(const DeepShadowMapSettings& settings) {
-  require(settings.pixelSize > 0 && std::isfinite(settings.pixelSize),
-          "deep shadow map: pixel size ", settings.pixelSize, " m is not positive");
-  require(settings.tolerance >= 0 && std::isfinite(settings.tolerance),
-          "deep shadow map: tolerance ", settings.tolerance, " is not 0 or more");
+  validateFields(settings, "deep shadow map");
   return std::make_unique<DeepShadowMap>(settings);
 }
 

@@ -5,7 +5,6 @@
 
 #include <libhair/shadow/extinction.h>
 #include <libhair/shadow/footprint.h>
-#include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
 #include <libhair/shadow/methods/shadow_method.h>
 

@@ -5,9 +5,8 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/fibre.h>
 #include <libhair/core/strands.h>
-#include <libhair/light/light_space.h>
+#include <libhair/light/light.h>
 #include <libhair/shadow/methods/deep_opacity_map.h>
 #include <libhair/shadow/methods/opacity_map.h>
 #include <libhair/shadow/methods/shadow_map.h>

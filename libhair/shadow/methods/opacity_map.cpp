@@ -64,9 +64,7 @@ class OpacityMap final : public ImageMethod {
 }  // namespace
 
 std::unique_ptr<ShadowMethod> makeOpacityMap(const OpacityMapSettings& settings) {
-  requirePixelSize(settings.pixelSize, "opacity map");
-  require(settings.slices >= 1 && settings.slices <= 1024, "opacity map: ", settings.slices,
-          " slices are not in 1 to 1024");
+  validateFields(settings, "opacity map");
   return std::make_unique<OpacityMap>(settings);
 }
 

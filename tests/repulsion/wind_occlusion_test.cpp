@@ -4,7 +4,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/instruction_set.h>
-#include <libhair/guides/step.h>
+#include <libhair/guides/guide_strands.h>
 #include <libhair/repulsion/repulsion.h>
 
 namespace hair {
@@ -37,7 +37,7 @@ struct Block {
   std::vector<float> shares(const Wind& wind) {
     const GuideStrands guides(groom, {});
     measureDensity(drawn, groom.fibre, settings, repulsion.density);
-    shelter(guides, wind, repulsion);
+    occludeWind(guides, wind, repulsion);
     std::vector<float> result;
     for (std::size_t g = 0; g < guides.guideCount(); ++g)
       result.push_back(repulsion.windShare[g / kLanes * 21 + 10][g % kLanes]);
@@ -45,20 +45,20 @@ struct Block {
   }
 };
 
-Wind wind(float shelter, glm::vec3 velocity = kEast) {
+Wind wind(float occlusion, glm::vec3 velocity = kEast) {
   Wind wind;
   wind.velocity = velocity;
-  wind.shelter = shelter;
+  wind.occlusion = occlusion;
   return wind;
 }
 
-TEST(Shelter, ALoneStrandAcrossTheWindHasNone) {
+TEST(WindOcclusion, ALoneStrandAcrossTheWindHasNone) {
   Block lone(1);
   for (const glm::vec3 velocity : {kEast, glm::vec3(0, 0, -2), glm::vec3(1, 0, 1.7f)})
     EXPECT_EQ(lone.shares(wind(1e-3f, velocity))[0], 1);
 }
 
-TEST(Shelter, GrowsWithTheHairThatIsUpwind) {
+TEST(WindOcclusion, GrowsWithTheHairThatIsUpwind) {
   Block block(16);
   const std::vector<float> shares = block.shares(wind(1e-5f));
   const auto at = [&](std::uint32_t x) { return shares[8 * 16 + x]; };
@@ -71,13 +71,13 @@ TEST(Shelter, GrowsWithTheHairThatIsUpwind) {
   EXPECT_LT(west[8 * 16 + 7], 0.75f);
 }
 
-TEST(Shelter, IsExpOfMinusTheHairUpwind) {
+TEST(WindOcclusion, IsExpOfMinusTheHairUpwind) {
   // 8 cm of 1e6 metres per m³ at 1e-5 metres: a share of exp(-0.8) well inside of the block.
   Block block(24);
   EXPECT_NEAR(block.shares(wind(1e-5f))[12 * 24 + 16], std::exp(-0.8f), 0.05f);
 }
 
-TEST(Shelter, TheInsideOfThickHairIsBlownLessThanItsOutside) {
+TEST(WindOcclusion, TheInsideOfThickHairIsBlownLessThanItsOutside) {
   Block block(16);
   GuideStrands guides(block.groom, {});
   GuideWorkspace workspace;
@@ -94,7 +94,7 @@ TEST(Shelter, TheInsideOfThickHairIsBlownLessThanItsOutside) {
   EXPECT_LT(blown(10), 0.3f * blown(0));
 }
 
-TEST(Shelter, IsTheSameOnEveryInstructionSet) {
+TEST(WindOcclusion, IsTheSameOnEveryInstructionSet) {
   std::vector<float> best;
   for (const std::string_view name : instructionSets()) {
     const InstructionSetLimit limit(name);
