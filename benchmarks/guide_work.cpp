@@ -8,7 +8,7 @@
 #include <apps/common/svg.h>
 #include <benchmarks/timing.h>
 #include <libhair/core/error.h>
-#include <libhair/guides/step.h>
+#include <libhair/guides/guide_strands.h>
 
 namespace hair::bench {
 

@@ -6,8 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include <libhair/core/parallel.h>
-#include <libhair/hair_mesh/styling.h>
-#include <libhair/hair_mesh/trace.h>
+#include <libhair/hair_mesh/grow.h>
 #include <tests/hair_mesh/sample_meshes.h>
 
 namespace hair {

@@ -5,9 +5,9 @@
 #include <iostream>
 
 #include <libhair/core/parallel.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/hair_mesh/mesh_groom.h>
 #include <libhair/hair_mesh/operations.h>
-#include <libhair/hair_mesh/styling.h>
 #include <libhair/model/head.h>
 #include <libhair/simulation/frame.h>
 

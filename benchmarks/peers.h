@@ -6,7 +6,7 @@
 
 #include <benchmarks/guide_work.h>
 #include <libhair/core/strands.h>
-#include <libhair/light/light_space.h>
+#include <libhair/light/light.h>
 #include <libhair/model/groom.h>
 
 /// Other people's software at the same work. Each is built where it was found, and is null, or an

@@ -10,6 +10,7 @@
 #include <benchmarks/timing.h>
 #include <libhair/core/error.h>
 #include <libhair/hair_mesh/interior_placement.h>
+#include <libhair/hair_mesh/surface.h>
 #include <tests/hair_mesh/sample_meshes.h>
 
 #ifdef HAIR_BENCH_CERES

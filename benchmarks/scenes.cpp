@@ -67,9 +67,9 @@ Counts Scene::counts() const {
   counts.points = static_cast<double>(character->groom.pointCount());
   counts.guidePoints = static_cast<double>(character->groom.guidePoints.size());
   for (const DensityMap& map : hair.maps)
-    counts.bricks += static_cast<double>(map.grid.bricks.size());
+    counts.bricks += static_cast<double>(map.grid.brickCount());
   counts.countedPoints = counts.points / player.settings.repulsion.strandStride;
-  counts.countedBricks = static_cast<double>(hair.repulsion.density.bricks.size());
+  counts.countedBricks = static_cast<double>(hair.repulsion.density.brickCount());
   return counts;
 }
 

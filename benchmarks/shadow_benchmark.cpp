@@ -8,7 +8,6 @@
 
 #include <libhair/core/parallel.h>
 #include <libhair/shade/appearance.h>
-#include <libhair/shade/encode.h>
 #include <libhair/shade/literal.h>
 #include <libhair/shadow/literal.h>
 #include <tests/shadow/fixture.h>
@@ -63,7 +62,7 @@ void clearAndDeposit(benchmark::State& state) {
     clear(map, settings, light);
     deposit(strands, {}, map);
   }
-  state.counters["bricks"] = static_cast<double>(map.grid.bricks.size());
+  state.counters["bricks"] = static_cast<double>(map.grid.brickCount());
   done(state, strands);
 }
 BENCHMARK(clearAndDeposit)

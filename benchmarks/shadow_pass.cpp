@@ -1,9 +1,7 @@
 #include <benchmarks/shadow_pass.h>
 
 #include <libhair/light/light.h>
-#include <libhair/shadow/deposit.h>
-#include <libhair/shadow/filter.h>
-#include <libhair/shadow/transmittance.h>
+#include <libhair/shadow/density_map.h>
 
 namespace hair::bench {
 
@@ -49,7 +47,7 @@ double ShadowPass::leastBytes() const {
   Counts counts;
   counts.strands = static_cast<double>(strands_.strandCount());
   counts.points = static_cast<double>(strands_.pointCount());
-  counts.bricks = static_cast<double>(map.grid.bricks.size());
+  counts.bricks = static_cast<double>(map.grid.brickCount());
   return bench::leastBytes(Stage::Deposit, Stage::Filter, counts);
 }
 

@@ -7,7 +7,6 @@
 #include <benchmarks/timing.h>
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/measure/shadow/error_figures.h>
 #include <libhair/measure/shadow/truth.h>
 
 namespace hair::bench {

@@ -116,7 +116,7 @@ Motion makeMotion(const CharacterOptions& options, std::vector<std::string>& not
     notes.push_back(text(options.motion.filename().string(), ": ", joints[flip.joint], " flips by ",
                          flip.degrees, " degrees at frame ", flip.frame, "; ", flip.frames,
                          flip.frames == 1 ? " frame" : " frames", " interpolated"));
-  for (const std::string& note : motion.body().notes) notes.push_back(note);
+  for (const std::string& note : motion.notes()) notes.push_back(note);
   return motion;
 }
 

@@ -2,7 +2,6 @@
 
 #include <exception>
 #include <iostream>
-#include <map>
 
 #include <libhair/core/error.h>
 
@@ -57,6 +56,19 @@ void addLights(CLI::App& command, const std::string& name, Light::Kind kind,
       ->type_name("X,Y,Z[,R,G,B]");
 }
 
+// Takes the word of a choice in any case, or refuses it with all words.
+template <HasWords E>
+CLI::Validator wordIn() {
+  std::vector<std::pair<std::string, E>> words;
+  for (const auto& word : wordsOf(E{})) words.emplace_back(word.word, word.value);
+  return CLI::CheckedTransformer(words, CLI::ignore_case).description("");
+}
+
+// Checks a number against the range of a setting.
+auto inside(const Range& range) {
+  return within(range.least(), range.most());
+}
+
 }  // namespace
 
 void addVectors(CLI::App& command, const std::string& name, std::vector<glm::vec3>& values,
@@ -107,12 +119,10 @@ void addReadOptions(CLI::App& command, ReadOptions& read) {
 }
 
 void addHairOptions(CLI::App& command, CharacterOptions& character) {
-  static const std::map<std::string, Style> styles = {
-      {"smooth", Style::Smooth}, {"curly", Style::Curly}, {"long", Style::Long}};
   auto* style = command
                     .add_option("--style", character.style,
                                 "built-in hairstyle: smooth, curly or long; default smooth")
-                    ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case).description(""))
+                    ->transform(wordIn<Style>())
                     ->type_name("STYLE");
   command
       .add_option("--hair", character.hair,
@@ -136,7 +146,7 @@ void addCharacterOptions(CLI::App& command, CharacterOptions& character) {
   command
       .add_option(
           "--head", character.heads,
-          "the head of that hair, .obj in the same coordinates; again for eyes and the like")
+          "head mesh of the hair file, .obj in the same coordinates; repeat it for eyes and so on")
       ->expected(1)
       ->take_all()
       ->type_name("FILE");
@@ -153,7 +163,7 @@ void addCharacterOptions(CLI::App& command, CharacterOptions& character) {
       .add_option("--motion-scale", character.motionScale,
                   "metres per unit of the clip; default 0.01")
       ->check(within(1e-9, 1e9));
-  command.add_flag("--still", character.still, "nobody moves");
+  command.add_flag("--still", character.still, "no motion: the body stands still");
   command
       .add_option("--guides", character.guides, "simulated strands of a loaded groom; default 402")
       ->check(CLI::Range(1, 1'000'000));
@@ -164,35 +174,33 @@ void addPlayerOptions(CLI::App& command, PlayerOptions& player, int& threads) {
       ->check(within(1.0, 1000.0));
   command
       .add_option("--motion-speed", player.motionSpeed,
-                  "the dancer moves so many times as fast, and the hair has to follow; default 1")
+                  "speed of the body, as a factor; the hair has to follow; default 1")
       ->check(within(0.01, 100.0));
   command.add_option("--threads", threads, "0, the default: as many as the machine has")
       ->check(CLI::Range(0, 1024));
   command.add_option("--cells", player.cells, "of the shadow map along each axis; default 128")
-      ->check(CLI::Range(2, 1024));
+      ->check(inside(rangeOf(&DensityGridSettings::cells)));
   addLights(command, "--light", Light::Kind::Parallel, player.lights,
-            "the way parallel light travels, and its colour (linear; default 1,1,1); again for "
-            "more lights; default 0.45,-0.8,-0.4");
+            "direction in which parallel light travels, and its colour (linear; default 1,1,1); "
+            "repeat it for more lights; default 0.45,-0.8,-0.4");
   addLights(command, "--point", Light::Kind::Point, player.lights,
-            "a light at a point, metres, and its colour where the head is, brighter nearer by; "
-            "again for more lights");
-  addVector(command, "--wind", player.wind, "m/s; default still air");
+            "position of a point light, metres, and its colour as it arrives at the head (brighter "
+            "nearer by); repeat it for more lights");
+  addVector(command, "--wind", player.wind, "its velocity, m/s; default still air");
   command.add_flag_callback(
-      "--no-shadow", [&player] { player.shadow = false; }, "leave self-shadowing out");
+      "--no-shadow", [&player] { player.shadow = false; }, "without self-shadowing");
   command.add_flag_callback(
       "--no-self-collision", [&player] { player.selfCollision = false; },
-      "leave hair-hair repulsion out");
-  static const std::map<std::string, LinkSolver> solvers = {{"direct", LinkSolver::Direct},
-                                                            {"relaxation", LinkSolver::Relaxation}};
+      "without self-collision: hair does not push hair");
   command
       .add_option("--solver", player.linkSolver,
                   "of the guides' links: direct (default) or relaxation, which stretches")
-      ->transform(CLI::CheckedTransformer(solvers, CLI::ignore_case).description(""))
+      ->transform(wordIn<LinkSolver>())
       ->type_name("SOLVER");
   command
       .add_option("--solver-iterations", player.linkIterations,
                   "of the solver a substep; default 2; relaxation wants 8 or more")
-      ->check(CLI::Range(1, 32));
+      ->check(inside(rangeOf(&GuideSettings::iterations)));
   command.add_option("--settle", player.settle, "seconds to settle in the first pose; default 1")
       ->check(within(0.0, 60.0));
 }

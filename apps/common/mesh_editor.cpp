@@ -5,6 +5,7 @@
 #include <libhair/core/error.h>
 #include <libhair/hair_mesh/edit_history.h>
 #include <libhair/hair_mesh/exterior.h>
+#include <libhair/hair_mesh/surface.h>
 
 namespace hair {
 

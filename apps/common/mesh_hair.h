@@ -6,8 +6,8 @@
 
 #include <libhair/core/transform.h>
 #include <libhair/files/strand_file.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/hair_mesh/hair_mesh.h>
-#include <libhair/hair_mesh/styling.h>
 #include <libhair/model/groom.h>
 
 namespace hair {

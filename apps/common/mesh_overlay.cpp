@@ -1,7 +1,7 @@
 #include <apps/common/mesh_overlay.h>
 
-#include <libhair/hair_mesh/chains.h>
 #include <libhair/hair_mesh/exterior.h>
+#include <libhair/hair_mesh/mesh_groom.h>
 #include <libhair/hair_mesh/surface.h>
 
 namespace hair {

@@ -6,8 +6,7 @@
 
 #include <libhair/core/parallel.h>
 #include <libhair/shade/appearance.h>
-#include <libhair/shade/encode.h>
-#include <libhair/shadow/filter.h>
+#include <libhair/shadow/density_map.h>
 
 namespace hair {
 

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include <apps/common/results.h>
+#include <apps/dance/character_viewer.h>
 #include <apps/dance/dance.h>
 #include <apps/dance/panel.h>
-#include <apps/dance/show.h>
 #include <apps/draw/gl_context.h>
 #include <apps/draw/window.h>
 #include <libhair/core/error.h>
@@ -53,7 +53,7 @@ class Interactive {
   double secondsAPicture_ = 0, simulatedAPicture_ = 0;  // averages
   StatsLog stats_;
   int framesDone_ = 0;
-  std::unique_ptr<Show> show_;
+  std::unique_ptr<CharacterViewer> viewer_;
 };
 
 Interactive::Interactive(const DanceOptions& options)
@@ -80,19 +80,19 @@ void Interactive::makeRenderer() {
 // Grows controls_.growth; what cannot be grown leaves everything as it is.
 void Interactive::grow() {
   try {
-    auto next = std::make_unique<Show>(options_, controls_.growth);
-    if (show_) next->takeOver(show_->view.scene);
-    show_ = std::move(next);
+    auto next = std::make_unique<CharacterViewer>(options_, controls_.growth);
+    if (viewer_) next->takeOver(viewer_->view.scene);
+    viewer_ = std::move(next);
     readout_.failure.clear();
     controls_.editMesh = editing_ = false;  // its mesh, if it has one, is another
     window_.holdDrag(false);
     readout_.history = {};
     pace_ = FixedTimestep(options_.player.fps);
     readout_.grown = controls_.growth;
-    readout_.notes = show_->character.notes;
-    for (const std::string& note : show_->character.notes) std::cerr << note << '\n';
+    readout_.notes = viewer_->character.notes;
+    for (const std::string& note : viewer_->character.notes) std::cerr << note << '\n';
   } catch (const Error& error) {
-    if (!show_) throw;
+    if (!viewer_) throw;
     readout_.failure = error.what();
     controls_.growth = readout_.grown;
   }
@@ -104,29 +104,29 @@ void Interactive::obey(const Requests& asked, const draw::WindowRequests& keys) 
   stepAsked_ = asked.step || keys.step;
   if (stepAsked_) controls_.paused = true;
   if (asked.reset || keys.reset) {
-    show_->player.restart();
+    viewer_->player.restart();
     pace_ = FixedTimestep(options_.player.fps);
   }
-  if (asked.undo) show_->undo();
-  if (asked.redo) show_->redo();
+  if (asked.undo) viewer_->undo();
+  if (asked.redo) viewer_->redo();
   if (controls_.editMesh) {
     controls_.paused = true;
     if (!editing_) {
       controls_.internals.mesh = true;
-      show_->rest();
+      viewer_->rest();
     }
-    window_.holdDrag(show_->edit(window_.pointer(), {window_.width(), window_.height()}));
+    window_.holdDrag(viewer_->edit(window_.pointer(), {window_.width(), window_.height()}));
   }
   editing_ = controls_.editMesh;
-  if (controls_.ownLook) controls_.look = show_->character.look;
-  show_->apply(controls_);
+  if (controls_.ownLook) controls_.look = viewer_->character.look;
+  viewer_->apply(controls_);
   makeRenderer();
 }
 
 void Interactive::stepOnce() {
-  show_->player.step();
+  viewer_->player.step();
   moved_ = true;
-  if (!options_.results.stats.empty()) stats_.add(show_->player);
+  if (!options_.results.stats.empty()) stats_.add(viewer_->player);
   if (++framesDone_ == options_.frames) window_.close();
 }
 
@@ -146,13 +146,13 @@ void Interactive::simulate(double seconds) {
 
 void Interactive::drawPicture(bool aboutToGrow) {
   if (aboutToGrow) drawNotice("Growing hair, please wait ...");
-  SceneView& view = show_->view;
-  const FrameProfile& profile = show_->player.profile;
+  SceneView& view = viewer_->view;
+  const FrameProfile& profile = viewer_->player.profile;
   // Waiting for the picture keeps the CPU from running ahead: only while someone looks at times.
   if (panelShown_ && readout_.timesShown) {
     view.drawTimed(*renderer_, window_.width(), window_.height());
     readout_.history.pictures.add(milliseconds(profile[kDrawStage]));
-    if (moved_) show_->drawn.add(profile);
+    if (moved_) viewer_->drawn.add(profile);
   } else {
     renderer_->draw(view.update(*renderer_), window_.width(), window_.height());
   }
@@ -171,10 +171,10 @@ int Interactive::run() {
 
   bool fresh = true;
   auto before = Clock::now();
-  while (window_.beginFrame(show_->view.scene)) {
+  while (window_.beginFrame(viewer_->view.scene)) {
     const double seconds = std::exchange(fresh, false) ? 0 : secondsSince(before);
     before = Clock::now();
-    show_->report(readout_);
+    viewer_->report(readout_);
     const Requests asked = panelShown_ ? drawPanel(controls_, readout_) : Requests{};
     obey(asked, window_.requests());
     window_.setMargin(panelShown_ ? readout_.panelWidth : 0);
@@ -185,10 +185,10 @@ int Interactive::run() {
       fresh = true;  // that was no time to catch up with
     }
   }
-  const ProfileLog& drawn = show_->drawn;
+  const ProfileLog& drawn = viewer_->drawn;
   std::cout << drawingTimes(drawn, drawnBy()) << '\n';
-  writeResults(options_.results, show_->player, drawn.frameCount() > 0 ? drawn : show_->player.log,
-               stats_);
+  writeResults(options_.results, viewer_->player,
+               drawn.frameCount() > 0 ? drawn : viewer_->player.log, stats_);
   return 0;
 }
 

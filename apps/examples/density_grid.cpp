@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <libhair/density/deposit.h>
+#include <libhair/density/density_grid.h>
 #include <libhair/model/styles.h>
 #include <libhair/wisps/wisps.h>
 

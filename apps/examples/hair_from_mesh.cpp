@@ -8,10 +8,10 @@
 #include <numeric>
 
 #include <libhair/files/strand_file.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/hair_mesh/interior_placement.h>
 #include <libhair/hair_mesh/operations.h>
 #include <libhair/hair_mesh/scalp_patch.h>
-#include <libhair/hair_mesh/styling.h>
 
 int main(int argc, char** argv) try {
   if (argc != 2) {

@@ -10,16 +10,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <random>
 #include <vector>
 
-#include <libhair/core/random.h>
 #include <libhair/repulsion/repulsion.h>
 
 int main() {
   // 400 upright strands of 10 points, 18 cm long, within a finger's width.
   hair::StrandSet strands;
-  for (std::uint32_t s = 0; s < 400; ++s) {
-    const float angle = 6.2832f * hair::uniform(s, 0), r = 0.01f * std::sqrt(hair::uniform(s, 1));
+  std::minstd_rand random;
+  const auto uniform = [&] { return static_cast<float>(random()) / 0x1p31f; };
+  for (int s = 0; s < 400; ++s) {
+    const float angle = 6.2832f * uniform(), r = 0.01f * std::sqrt(uniform());
     std::vector<glm::vec3> strand;
     for (int i = 0; i < 10; ++i)
       strand.emplace_back(r * std::cos(angle), 0.02f * static_cast<float>(i), r * std::sin(angle));

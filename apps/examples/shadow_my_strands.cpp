@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <libhair/shadow/deposit.h>
-#include <libhair/shadow/filter.h>
-#include <libhair/shadow/transmittance.h>
+#include <libhair/shadow/density_map.h>
 
 int main() {
   // A curtain of 100 × 100 level strands, a millimetre apart, 10 cm wide, high and deep.

@@ -12,8 +12,6 @@
 #include <vector>
 
 #include <libhair/guides/guide_strands.h>
-#include <libhair/guides/measure.h>
-#include <libhair/guides/step.h>
 
 namespace {
 

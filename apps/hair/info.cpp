@@ -8,7 +8,7 @@
 #include <libhair/files/bvh_file.h>
 #include <libhair/files/obj.h>
 #include <libhair/files/strand_sequence.h>
-#include <libhair/model/head_fit.h>
+#include <libhair/model/head.h>
 #include <libhair/wisps/load_groom.h>
 
 namespace hair {
@@ -51,7 +51,7 @@ void printStrands(const InfoOptions& options) {
     row("frames") << frames << ", " << in.seconds(frames - 1) - in.seconds(0)
                   << " s from first to last; below: the first\n";
   row("read as") << file.scale << " m per unit, " << upAxisMeaning(file.up) << " (--up "
-                 << upAxisText(file.up) << "); below: metres, +Y up, +Z face\n";
+                 << wordOf(file.up) << "); below: metres, +Y up, +Z face\n";
   try {
     requireHeadSized(rootsOf(strands));
   } catch (const Error& e) {

@@ -11,7 +11,7 @@
 #include <apps/hair/commands.h>
 #include <libhair/core/parallel.h>
 #include <libhair/files/atomic_write.h>
-#include <libhair/shadow/filter.h>
+#include <libhair/shadow/density_map.h>
 
 namespace hair {
 

@@ -8,12 +8,12 @@ namespace hair {
 void addLod(CLI::App& app, Run& run) {
   auto options = std::make_shared<LodOptions>();
   CLI::App* command = app.add_subcommand(
-      "lod", "Levels of detail: what hair on a small head can leave out, and what that costs");
+      "lod", "Measure what levels of detail leave out on a small head: time saved and error");
   addCharacterOptions(*command, options->character);
   addPlayerOptions(*command, options->player, options->threads);
   command
       ->add_option("--sizes", options->sizes,
-                   "pixels from chin to crown; default 800,400,200,100,50")
+                   "heights of the head in the picture, pixels; default 800,400,200,100,50")
       ->delimiter(',')
       ->check(within(4, 2000));
   command->add_option("--importance", options->importance, "of the head, (0, 1]; default 1")

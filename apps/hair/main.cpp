@@ -30,7 +30,7 @@ std::string commandLineOf(int argc, char** argv) {
 }
 
 int program(int argc, char** argv) {
-  CLI::App app("Hair: files, simulation, pictures. `hair COMMAND --help` teaches each command.",
+  CLI::App app("Hair: files, simulation, pictures. `hair COMMAND --help` explains each command.",
                "hair");
   app.set_version_flag("--version", "hair " HAIR_VERSION);
   Run run;

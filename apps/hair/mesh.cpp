@@ -7,6 +7,7 @@
 #include <libhair/hair_mesh/hair_mesh_file.h>
 #include <libhair/hair_mesh/interior_placement.h>
 #include <libhair/hair_mesh/script/script.h>
+#include <libhair/hair_mesh/surface.h>
 
 namespace hair {
 

@@ -22,8 +22,7 @@ void addInfo(CLI::App& app, Run& run) {
   command
       ->add_option("FILE", options->file,
                    "strands (.hair, .tfx, .data, .ply, .obj, .usda, .npy, .npz, .pbrt), a mesh "
-                   "(.obj) or a motion "
-                   "(.bvh)")
+                   "(.obj) or a motion (.bvh)")
       ->required();
   addReadOptions(*command, options->read);
   command->footer(
@@ -41,8 +40,7 @@ void addConvert(CLI::App& app, Run& run) {
   command
       ->add_option("IN", options->in,
                    ".hair, .tfx, .data, .ply, .obj, .usda, .npy, .npz or .pbrt; name.####.hair: "
-                   "all that are "
-                   "numbered so")
+                   "all that are numbered so")
       ->required();
   command
       ->add_option("OUT", options->out,
@@ -89,14 +87,14 @@ void addSimulate(CLI::App& app, Run& run) {
       ->check(CLI::Range(1, 10'000'000));
   command
       ->add_option("--cache,--out", options->cache,
-                   "strands of every frame: in one file, .usda; or numbered, shot.####.hair (also "
-                   ".ply, .obj ...), which is what becomes of shot.hair")
+                   "writes the strands of every frame: in one file, .usda, or in numbered files, "
+                   "shot.####.hair (also .ply, .obj ...; shot.hair is numbered, too)")
       ->check(strandsToWrite);
   command
       ->add_option("--load-state", options->loadState,
-                   "go on from a saved state of the same hair, at the frame of its time")
+                   "start from a state of the same hair that --save-state wrote, at its time")
       ->check(CLI::ExistingFile);
-  command->add_option("--save-state", options->saveState, "leave the state after the last frame");
+  command->add_option("--save-state", options->saveState, "writes the state after the last frame");
   addResultOptions(*command, options->results);
   command->footer(
       "Examples:\n"
@@ -145,7 +143,7 @@ void addRender(CLI::App& app, Run& run) {
   command->add_flag("--mesh-surface", options->shown.meshSurface,
                     "draw the hair mesh's surface in place of the hair");
   command->add_flag("--show-cells", options->shown.cells,
-                    "draw the occupied cells by transmittance");
+                    "occupied cells of the first light's map, coloured by transmittance");
   command->footer(
       "Examples:\n"
       "  hair render --style smooth --out smooth.png --side-by-side --width 1600 --height 800\n"

@@ -141,7 +141,7 @@ def page_for_doxygen(file, text):
         return f'<tt>@ref {name} "{code}"</tt>'
 
     def span(match):
-        """`shadow/deposit.h`, `chooseShadow` and `Filter::Centred` lead to what they name."""
+        """`shadow/density_map.h`, `chooseShadow` and `Filter::Centred` lead to what they name."""
         code = match[1]
         if f"{root}/libhair/{code.removeprefix('libhair/')}" in headers:
             return reference(code, f"libhair/{code.removeprefix('libhair/')}")

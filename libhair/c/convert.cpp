@@ -1,7 +1,7 @@
 #include <libhair/c/convert.h>
 
 #include <libhair/c/boundary.h>
-#include <libhair/geometry/shared_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 
 namespace hair::c {
 
@@ -11,10 +11,11 @@ glm::vec3 vectorOf(const float (&v)[3]) {
   return {v[0], v[1], v[2]};
 }
 
-template <class Enum>
-Enum choiceOf(std::uint32_t value, Enum last, std::string_view name) {
-  const auto most = static_cast<std::uint32_t>(last);
-  require(value <= most, name, ": ", value, " is not in 0 to ", most);
+template <HasWords Enum>
+Enum choiceOf(std::uint32_t value, std::string_view name) {
+  const std::size_t count = wordsOf(Enum{}).size();  // values are 0, 1, 2 ...
+  require(value < count, name, ": ", value, " is not in 0 to ", count - 1, " (", allWords<Enum>(),
+          ")");
   return static_cast<Enum>(value);
 }
 
@@ -35,7 +36,7 @@ struct ToC {
     c[0] = own.x, c[1] = own.y, c[2] = own.z;
   }
   template <class T>
-  void operator()(std::uint32_t& c, T own, const char*, T = {}) const {
+  void operator()(std::uint32_t& c, T own, const char*) const {
     c = static_cast<std::uint32_t>(own);
   }
 };
@@ -47,15 +48,15 @@ struct FromC {
   void operator()(std::uint32_t c, bool& own, const char* name) const { own = switchOf(c, name); }
   void operator()(std::uint32_t c, int& own, const char* name) const { own = countOf(c, name); }
   void operator()(std::uint32_t c, std::uint32_t& own, const char*) const { own = c; }
-  template <class Enum>
-  void operator()(std::uint32_t c, Enum& own, const char* name, Enum last) const {
-    own = choiceOf(c, last, name);
+  template <HasWords Enum>
+  void operator()(std::uint32_t c, Enum& own, const char* name) const {
+    own = choiceOf<Enum>(c, name);
   }
 };
 
 // Pairs of corresponding fields, listed once for both directions.
 template <class C, class Own, class Copy>
-void forFields(C& c, Own& own, Copy copy) {
+void forPairs(C& c, Own& own, Copy copy) {
   auto& guides = own.guides;
   copy(c.linear_density, guides.linearDensity, "linear_density");
   copy(c.bending_stiffness, guides.bendingStiffness, "bending_stiffness");
@@ -67,12 +68,12 @@ void forFields(C& c, Own& own, Copy copy) {
   copy(c.skin, guides.skin, "skin");
   copy(c.gravity, guides.gravity, "gravity");
   copy(c.substep, guides.substep, "substep");
-  copy(c.link_solver, guides.linkSolver, "link_solver", LinkSolver::Relaxation);
+  copy(c.link_solver, guides.linkSolver, "link_solver");
   copy(c.iterations, guides.iterations, "iterations");
 
   auto& repulsion = own.repulsion;
   copy(c.self_collision, own.selfCollision, "self_collision");
-  copy(c.repulsion_kind, repulsion.kind, "repulsion_kind", RepulsionKind::Gradient);
+  copy(c.repulsion_kind, repulsion.kind, "repulsion_kind");
   copy(c.repulsion_cell_size, repulsion.cellSize, "repulsion_cell_size");
   copy(c.repulsion_cells, repulsion.cells, "repulsion_cells");
   copy(c.repulsion_stride, repulsion.strandStride, "repulsion_stride");
@@ -85,14 +86,14 @@ void forFields(C& c, Own& own, Copy copy) {
   copy(c.wind, own.wind.velocity, "wind");
   copy(c.gust, own.wind.gust, "gust");
   copy(c.gust_length, own.wind.gustLength, "gust_length");
-  copy(c.wind_shelter, own.wind.shelter, "wind_shelter");
+  copy(c.wind_shelter, own.wind.occlusion, "wind_shelter");
 
   copy(c.shadow, own.shadow, "shadow");
   copy(c.body_shadow, own.bodyShadow, "body_shadow");
   copy(c.map_cells, own.map.cells, "map_cells");
   copy(c.map_cell_size, own.map.cellSize, "map_cell_size");
-  copy(c.map_deposit, own.map.deposit, "map_deposit", Deposit::Segments);
-  copy(c.map_filter, own.map.filter, "map_filter", Filter::Footprint);
+  copy(c.map_deposit, own.map.deposit, "map_deposit");
+  copy(c.map_filter, own.map.filter, "map_filter");
   copy(c.map_footprint, own.map.footprint, "map_footprint");
 
   auto& look = std::get<KajiyaKaySettings>(own.appearance);  // the only model in the C interface
@@ -117,14 +118,14 @@ void forFields(C& c, Own& own, Copy copy) {
 
 hair_settings settingsOf(const FrameSettings& settings) {
   hair_settings c{};
-  forFields(c, settings, ToC{});
+  forPairs(c, settings, ToC{});
   return c;
 }
 
 FrameSettings frameSettings(const hair_settings* settings, FrameSettings base) {
   if (!settings) return base;
   const hair_settings c = taken(settings, settingsOf(base), "hair_settings");
-  forFields(c, base, FromC{});
+  forPairs(c, base, FromC{});
   return base;
 }
 
@@ -132,23 +133,21 @@ DensityMapSettings mapSettings(const hair_map& map) {
   DensityMapSettings settings;
   settings.cells = countOf(map.cells, "hair_map: cells");
   settings.cellSize = map.cell_size;
-  settings.deposit = choiceOf(map.deposit, Deposit::Segments, "hair_map: deposit");
-  settings.filter = choiceOf(map.filter, Filter::Footprint, "hair_map: filter");
+  settings.deposit = choiceOf<Deposit>(map.deposit, "hair_map: deposit");
+  settings.filter = choiceOf<Filter>(map.filter, "hair_map: filter");
   settings.footprint = map.footprint;
   return settings;
 }
 
 Light lightOf(const hair_light& light) {
-  return {choiceOf(light.kind, Light::Kind::Point, "hair_light: kind"), vectorOf(light.direction),
+  return {choiceOf<Light::Kind>(light.kind, "hair_light: kind"), vectorOf(light.direction),
           vectorOf(light.position), vectorOf(light.colour)};
 }
 
 Fibre fibreOf(const hair_fibre& fibre) {
-  require(fibre.width > 0 && fibre.width < 1 && fibre.opacity > 0 && fibre.opacity <= 1 &&
-              fibre.hairs_per_strand >= 1 && fibre.hairs_per_strand < 1e9f,
-          "hair_fibre: width ", fibre.width, " m, opacity ", fibre.opacity, ", ",
-          fibre.hairs_per_strand, " hairs a strand are not in (0, 1) m, (0, 1] and 1 to 1e9");
-  return {fibre.width, fibre.opacity, fibre.hairs_per_strand};
+  const Fibre own{fibre.width, fibre.opacity, fibre.hairs_per_strand};
+  validateFields(own, "hair_fibre");
+  return own;
 }
 
 RigidTransform transformOf(const hair_transform& transform) {
@@ -159,7 +158,7 @@ RigidTransform transformOf(const hair_transform& transform) {
 StyleSettings styleOf(const hair_style* style) {
   given(style, "hair_style");
   const hair_style c = taken(style, hair_style{}, "hair_style");
-  StyleSettings settings = styleSettings(choiceOf(c.kind, Style::Long, "hair_style: kind"));
+  StyleSettings settings = styleSettings(choiceOf<Style>(c.kind, "hair_style: kind"));
   settings.strands = c.strands;
   settings.points = c.points;
   settings.wisps = c.wisps;

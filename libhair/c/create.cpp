@@ -1,7 +1,7 @@
 #include <libhair/c/boundary.h>
 #include <libhair/c/instance.h>
 #include <libhair/core/error.h>
-#include <libhair/geometry/shared_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 #include <libhair/wisps/bind.h>
 
 using namespace hair::c;

@@ -141,7 +141,7 @@ typedef struct hair_settings {
   float wind[3];      /* m/s */
   float gust;         /* relative amplitude of the speed, [0, 1] */
   float gust_length;  /* wavelength of gusts, metres */
-  float wind_shelter; /* metres: half a hair's width times its drag coefficient; 0: none */
+  float wind_shelter; /* metres: occlusion by hair, width × drag coefficient / 2; 0: none */
 
   uint32_t shadow;      /* computes transmittance */
   uint32_t body_shadow; /* head and capsules cast shadows on the hair */

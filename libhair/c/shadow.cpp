@@ -1,8 +1,6 @@
 #include <libhair/c/boundary.h>
 #include <libhair/c/convert.h>
-#include <libhair/shadow/deposit.h>
-#include <libhair/shadow/filter.h>
-#include <libhair/shadow/transmittance.h>
+#include <libhair/shadow/density_map.h>
 
 using namespace hair::c;
 using hair::require;

@@ -3,9 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include <libhair/core/api.h>
-
-namespace HAIR_API hair {
+namespace hair {
 
 /// The instruction set that kernels use now. They are compiled for several, and run with the best
 /// that the CPU has. Names are Google Highway's: "AVX3" (AVX-512), "AVX2", "NEON", "SCALAR" (any

@@ -2,9 +2,7 @@
 
 #include <cstdint>
 
-#include <libhair/core/api.h>
-
-namespace HAIR_API hair {
+namespace hair {
 
 /// Counter-based random numbers: a value depends on what it is for (strand, use), never on the
 /// order of calls, so that threads and options do not change a groom.

@@ -6,9 +6,7 @@
 #include <string>
 #include <type_traits>
 
-#include <libhair/core/api.h>
-
-namespace HAIR_API hair {
+namespace hair {
 
 /// 64 bits over the exact bits of a simulation's state: equal on every machine and thread count,
 /// or something is wrong. A multiply-and-rotate hash over 8-byte words; not cryptographic.

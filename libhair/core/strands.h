@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 
 namespace HAIR_API hair {
 
@@ -76,5 +77,31 @@ struct Bounds {
 
 /// The least box that holds all points; empty for none.
 Bounds bounds(std::span<const glm::vec3> points);
+
+/// The hairs that a drawn strand represents. A picture draws thousands of strands for a hundred
+/// thousand hairs; each then blocks as much light as all the hairs that it represents.
+struct Fibre {
+  float width = 80e-6f;         ///< of one hair, metres; human hair: 50e-6 to 100e-6
+  float opacity = 0.6f;         ///< of one hair to the light, (0, 1]
+  float hairsPerStrand = 30.f;  ///< hairs that one drawn strand represents, >= 1
+};
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const Fibre*) {
+  using S = Fibre;
+  return std::tuple(Field("width", &S::width, "(0, 1) m"), Field("opacity", &S::opacity, "(0, 1]"),
+                    Field("hairsPerStrand", &S::hairsPerStrand, "[1, 1e9)"));
+}
+
+/// The hair that a picture shows, as the stages after its drawing need it: all of a groom, or the
+/// part that a level of detail leaves. Refers to the arrays of its owner.
+struct DrawnHair {
+  StrandView strands;                ///< points in world space, metres; a hidden strand has none
+  Fibre fibre;                       ///< what one of these strands stands for
+  std::span<const float> weights{};  ///< [strandCount], share of its width a strand has; empty: 1
+  /// Fibres that do not shadow the points of their own strand: 1, and more where a level of detail
+  /// draws strands wider. A wider strand would shadow itself more than the full groom's does.
+  float ownFibres = 1;
+};
 
 }  // namespace hair

@@ -9,9 +9,7 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
-
-namespace HAIR_API hair {
+namespace hair {
 
 /// Bricks of 4 × 16 × 4 cells along X, Y and Z. A row along Y is one vector and one cache line; a
 /// brick of 1 KiB has 16 rows. Successive cells of a strand are mostly in the same brick.

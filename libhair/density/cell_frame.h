@@ -5,22 +5,9 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
+#include <libhair/density/density_grid.h>
 
-namespace HAIR_API hair {
-
-/// Axes and origin of a grid of cells. {}: those of the world.
-///
-/// Points are floats relative to `origin` (world = origin + point), which is double: cells 10 km
-/// from the world's origin are as exact as there.
-struct GridSpace {
-  glm::mat3 gridFromWorld{1};  ///< rotation; its rows are the grid's X, Y and Z
-  glm::dvec3 origin{0};        ///< metres
-  glm::vec3 pivot{0};          ///< curved grids: point where cells have their nominal size
-  /// 1 / (distance of pivot and focus), 1/metre: columns of cells along X converge at the focus, on
-  /// the -X side of the pivot. 0: columns are parallel, and the grid is straight.
-  float curvature = 0;
-};
+namespace hair {
 
 /// Points to cells: the mapping Psi of Bertails et al. 2005 (section 2.2) without its modulo, in
 /// *unwrapped cell coordinates*: cell (i, j, k) covers [i, i+1) × [j, j+1) × [k, k+1), and the

@@ -4,10 +4,9 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
 #include <libhair/density/cell_frame.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// The cell that unwrapped cell coordinates lie in.
 inline glm::ivec3 floorToCell(glm::vec3 u) {

@@ -57,16 +57,17 @@ void detail::writeCells(std::size_t count, std::size_t grain, std::size_t nanose
   const std::size_t blocks = (count + grain - 1) / grain;
   const std::size_t workers =
       std::max<std::size_t>(std::min({blocks, static_cast<std::size_t>(threadCount()),
-                                      nanoseconds / worthAThread(grid.bricks)}),
+                                      nanoseconds / worthAThread(grid.cells->bricks)}),
                             1);
-  while (grid.workers.size() + 1 < workers) grid.workers.emplace_back(grid.settings.cells);
+  while (grid.cells->workers.size() + 1 < workers)
+    grid.cells->workers.emplace_back(grid.settings.cells);
   std::atomic<std::size_t> next = 0;
   std::mutex joining;
   glm::ivec3 lower = grid.lower, upper = grid.upper;
   bool full = grid.saturatedCells > 0;
   hair::parallelFor(workers, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t w = begin; w < end; ++w) {
-      CellWriter writer(grid, w == 0 ? grid.bricks : grid.workers[w - 1]);
+      CellWriter writer(grid, w == 0 ? grid.cells->bricks : grid.cells->workers[w - 1]);
       for (std::size_t b = next++; b < blocks; b = next++)
         write(context, writer, b * grain, std::min((b + 1) * grain, count));
       writer.flush();
@@ -78,8 +79,9 @@ void detail::writeCells(std::size_t count, std::size_t grain, std::size_t nanose
   });
   grid.lower = lower;
   grid.upper = upper;
-  for (std::size_t w = 1; w < workers; ++w) full |= addBricks(grid.workers[w - 1], grid.bricks);
-  grid.saturatedCells = full ? countFull(grid.bricks) : 0;
+  for (std::size_t w = 1; w < workers; ++w)
+    full |= addBricks(grid.cells->workers[w - 1], grid.cells->bricks);
+  grid.saturatedCells = full ? countFull(grid.cells->bricks) : 0;
 }
 
 }  // namespace hair

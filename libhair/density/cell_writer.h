@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/density/density_grid.h>
+#include <libhair/density/grid_cells.h>
 
 namespace hair {
 
@@ -77,9 +78,9 @@ void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, D
 }  // namespace detail
 
 /// Calls write(writer, begin, end) on ranges of at most `grain` that cover [0, count), in parallel,
-/// and adds the results to grid.bricks, with bounds and saturation. `nanoseconds`: estimated time
-/// on one thread; limits the number of threads. The result has the same bits for any number of
-/// threads.
+/// and adds the results to the bricks of `grid`, with bounds and saturation. `nanoseconds`:
+/// estimated time on one thread; limits the number of threads. The result has the same bits for any
+/// number of threads.
 template <class Write>
 void writeCells(std::size_t count, std::size_t grain, std::size_t nanoseconds, DensityGrid& grid,
                 Write&& write) {

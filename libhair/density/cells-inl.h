@@ -6,12 +6,21 @@
 #define HAIR_DENSITY_CELLS_INL_H
 #endif
 
+#include <cstddef>
+#include <span>
+
 #include <libhair/core/simd-inl.h>
 #include <libhair/density/density_grid.h>
+#include <libhair/density/grid_cells.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
+
+/// Sixteen points from points[at] on; beyond the span, its last one is repeated.
+HWY_INLINE Vec3 pointsFrom(std::span<const glm::vec3> points, std::size_t at) {
+  return loadPoints(points.data() + at, points.size() - at);
+}
 
 /// CellFrame::bend.
 HWY_INLINE Vec3 bend(Vec3 v, float k) {
@@ -46,13 +55,14 @@ class CellCodes {
  public:
   HWY_INLINE explicit CellCodes(const DensityGrid& grid)
       : grid_(grid),
+        frame_(grid.cells->frame),
         cells_(grid.settings.cells),
-        perY_(grid.bricks.perAxis().y),
-        across_(static_cast<std::int32_t>(grid.bricks.across())) {}
+        perY_(grid.cells->bricks.perAxis().y),
+        across_(static_cast<std::int32_t>(grid.cells->bricks.across())) {}
 
   /// DensityGrid::wrap of unwrapped cells.
   HWY_INLINE void wrap(Ints& x, Ints& y, Ints& z) const {
-    const glm::ivec3 base = grid_.frame.base;
+    const glm::ivec3 base = frame_.base;
     x = turn(x + Ints(base.x)), y = turn(y + Ints(base.y)), z = turn(z + Ints(base.z));
     if (HWY_UNLIKELY(any(outside(x) | outside(y) | outside(z)))) {
       farther(x), farther(y), farther(z);
@@ -60,7 +70,7 @@ class CellCodes {
   }
   /// DensityGrid::wrap along one axis.
   HWY_INLINE Ints wrap(Ints c, int axis) const {
-    Ints i = turn(c + Ints(grid_.frame.base[axis]));
+    Ints i = turn(c + Ints(frame_.base[axis]));
     if (HWY_UNLIKELY(any(outside(i)))) farther(i);
     return i;
   }
@@ -98,6 +108,7 @@ class CellCodes {
 
   static_assert(brick::kX == 4 && brick::kZ == 4 && brick::kY == 16);
   const DensityGrid& grid_;
+  const CellFrame& frame_;
   std::int32_t cells_, perY_, across_;
 };
 

@@ -4,13 +4,43 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/density/grid_cells.h>
 
 namespace hair {
 
 void validate(const DensityGridSettings& s) {
-  require(s.cells >= 2 && s.cells <= 1024, "cells: ", s.cells, " is not in 2 to 1024");
-  require(s.cellSize >= 1e-6f && s.cellSize <= 1e6f, "density grid: cell size ", s.cellSize,
-          " m is not in 1e-6 to 1e6");
+  validateFields(s, "density grid");
+}
+
+DensityGrid::DensityGrid() : cells(std::make_unique<GridCells>()) {}
+DensityGrid::~DensityGrid() = default;
+DensityGrid::DensityGrid(DensityGrid&&) noexcept = default;
+DensityGrid& DensityGrid::operator=(DensityGrid&&) noexcept = default;
+
+std::size_t DensityGrid::bytes() const {
+  return cells->bricks.bytes();
+}
+
+std::size_t DensityGrid::brickCount() const {
+  return cells->bricks.size();
+}
+
+glm::ivec3 DensityGrid::wrap(glm::ivec3 cell) const {
+  const glm::ivec3 base = cells->frame.base;
+  return {wrap(base.x + cell.x), wrap(base.y + cell.y), wrap(base.z + cell.z)};
+}
+
+std::uint32_t DensityGrid::count(glm::ivec3 cell) const {
+  return cells->bricks.count(wrap(cell));
+}
+
+glm::ivec3 DensityGrid::cellOf(glm::vec3 p) const {
+  const glm::vec3 u = cells->frame.cellCoordinates(p);
+  return {floorToInt(u.x), floorToInt(u.y), floorToInt(u.z)};
+}
+
+glm::vec3 DensityGrid::cellCentre(glm::ivec3 cell) const {
+  return cells->frame.point(glm::vec3(cell) + 0.5f);
 }
 
 int DensityGrid::depth() const {
@@ -34,18 +64,19 @@ float DensityGrid::density(glm::ivec3 cell) const {
 
 void clear(DensityGrid& grid, const DensityGridSettings& settings, const GridSpace& space) {
   validate(settings);
-  if (!grid.bricks.valid() || grid.settings.cells != settings.cells) {
-    grid.bricks = BrickStore(settings.cells);
-    grid.workers.clear();
+  GridCells& cells = *grid.cells;
+  if (!cells.bricks.valid() || grid.settings.cells != settings.cells) {
+    cells.bricks = BrickStore(settings.cells);
+    cells.workers.clear();
   } else {
-    grid.bricks.clear();
+    cells.bricks.clear();
     // Non-empty only after an exception.
-    for (BrickStore& worker : grid.workers) worker.clear();
+    for (BrickStore& worker : cells.workers) worker.clear();
   }
   grid.saturatedCells = 0;
   grid.settings = settings;
   grid.space = space;
-  grid.frame = makeCellFrame(space, glm::vec3(0), settings.cellSize, settings.cells);
+  cells.frame = makeCellFrame(space, glm::vec3(0), settings.cellSize, settings.cells);
   grid.quantum = 0;
   grid.lower = glm::ivec3(INT_MAX);
   grid.upper = glm::ivec3(INT_MIN);
@@ -53,7 +84,8 @@ void clear(DensityGrid& grid, const DensityGridSettings& settings, const GridSpa
 
 DensitySample sampleDensity(const DensityGrid& grid, glm::vec3 p) {
   if (grid.empty()) return {};
-  const glm::vec3 u = grid.frame.cellCoordinates(p) - 0.5f;
+  const GridCells& cells = *grid.cells;
+  const glm::vec3 u = cells.frame.cellCoordinates(p) - 0.5f;
   const glm::ivec3 c(floorToInt(u.x), floorToInt(u.y), floorToInt(u.z));
   const glm::vec3 f = u - glm::vec3(c);
   // DensityGrid::density of eight cells; wraps each axis once for all of them.
@@ -72,7 +104,7 @@ DensitySample sampleDensity(const DensityGrid& grid, glm::vec3 p) {
       for (int z = 0; z < 2; ++z)
         d[x][y][z] =
             inside[x].x && inside[y].y && inside[z].z
-                ? static_cast<float>(grid.bricks.count({at[x].x, at[y].y, at[z].z})) * perCount
+                ? static_cast<float>(cells.bricks.count({at[x].x, at[y].y, at[z].z})) * perCount
                 : 0.0f;
   // Along z, then y, then x; a derivative replaces the mean of two values by their difference.
   float alongZ[2][2], alongY[2], acrossY[2], acrossZ[2];
@@ -85,7 +117,7 @@ DensitySample sampleDensity(const DensityGrid& grid, glm::vec3 p) {
   const glm::vec3 perCell(alongY[1] - alongY[0], glm::mix(acrossY[0], acrossY[1], f.x),
                           glm::mix(acrossZ[0], acrossZ[1], f.x));
   // d/dworld = (dcell/dworld)^T d/dcell.
-  return {glm::mix(alongY[0], alongY[1], f.x), glm::transpose(grid.frame.cellFromWorld) * perCell};
+  return {glm::mix(alongY[0], alongY[1], f.x), glm::transpose(cells.frame.cellFromWorld) * perCell};
 }
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-#include <libhair/density/deposit.h>
+#include <libhair/density/density_grid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <libhair/core/error.h>
 #include <libhair/density/cell_writer.h>
 #include <libhair/density/deposit_kernels.h>
+#include <libhair/density/grid_cells.h>
 
 namespace hair {
 
@@ -98,7 +99,7 @@ float metresPerPoint(StrandView strands, std::uint32_t strandStride) {
 
 void deposit(StrandView strands, const SegmentMeasure& measure, DensityGrid& grid,
              std::uint32_t strandStride, std::span<const float> weights) {
-  require(grid.bricks.valid(), "deposit: clear() the density grid first");
+  require(grid.cells->bricks.valid(), "deposit: clear() the density grid first");
   require(strandStride > 0 && strandStride < 1u << 30, "deposit: strand stride ", strandStride,
           " is not in 1 to 2^30 - 1");
   require(measure.perMetre >= 0 && std::isfinite(measure.perMetre) && measure.perPoint >= 0 &&
@@ -110,7 +111,7 @@ void deposit(StrandView strands, const SegmentMeasure& measure, DensityGrid& gri
   if (strands.pointCount() == 0) return;
   const DensityGridSettings& settings = grid.settings;
   if (grid.empty()) {
-    grid.frame =
+    grid.cells->frame =
         makeCellFrame(grid.space, strands.points.front(), settings.cellSize, settings.cells);
     grid.quantum = settings.deposit == Deposit::Points
                        ? pointQuantum(strands, strandStride, measure)
@@ -118,7 +119,7 @@ void deposit(StrandView strands, const SegmentMeasure& measure, DensityGrid& gri
   }
   const float perCell = toFloat(measure.perMetre * static_cast<double>(settings.cellSize));
   const SegmentScale scale{measure.of, perCell * static_cast<float>(strandStride) / kQuantum,
-                           grid.frame};
+                           grid.cells->frame};
   const std::size_t read = (strands.strandCount() + strandStride - 1) / strandStride;
   const std::size_t nanoseconds =
       strands.pointCount() / strandStride * costOfPoint(settings.deposit);

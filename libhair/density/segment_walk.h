@@ -8,7 +8,7 @@
 
 #include <libhair/density/cell_walk.h>
 #include <libhair/density/cell_writer.h>
-#include <libhair/density/deposit.h>
+#include <libhair/density/density_grid.h>
 
 namespace hair {
 

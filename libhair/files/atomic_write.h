@@ -5,9 +5,7 @@
 #include <iosfwd>
 #include <string>
 
-#include <libhair/core/api.h>
-
-namespace HAIR_API hair {
+namespace hair {
 
 /// A file that is replaced as a whole: written under a temporary name in the same folder until
 /// `commit` renames it. Without that the temporary file is removed, and an existing file of the

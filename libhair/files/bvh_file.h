@@ -43,6 +43,9 @@ struct Bvh {
   std::size_t channelCount = 0;  ///< of all joints together
   double frameTime = 0;          ///< seconds
   std::vector<float> values;     ///< [frameCount · channelCount], frame by frame
+  /// What the file does otherwise than the format wants and was made good, for the user; no name of
+  /// the file in it.
+  std::vector<std::string> notes;
 
   /// How many rows of values there are.
   std::size_t frameCount() const { return channelCount == 0 ? 0 : values.size() / channelCount; }
@@ -54,11 +57,20 @@ struct Bvh {
   int find(std::string_view name, bool ignoreCase = false) const;
 };
 
-/// Reads a BVH file: any tree, any channels in any order, CR LF and LF mixed, tabs or spaces.
-/// Throws Error (file, line, cause).
+/// Reads a BVH file: any tree, any channels in any order, and the dialects of the programs that
+/// write them. Keywords in any case; words and braces separated by blanks or lines as they come;
+/// comments (#, //, ;); end sites with names or channels. Rows may wrap over lines; more rows than
+/// announced are read, one less is forgiven, and so is text after the last; a frame time that can
+/// only be a rate or milliseconds is taken as such (frameTimeMeant). `notes` tells which of these
+/// changed anything. Throws Error (file, line, cause) for what cannot be understood.
 Bvh readBvh(const std::filesystem::path& file);
 
 /// The same from bytes in memory; `name` names the file in messages.
 Bvh parseBvh(std::string_view bytes, std::string_view name);
+
+/// Seconds that a `Frame Time` stands for. Below 1: those seconds. Above: frames a second where
+/// that is a usual rate (30, 59.94, 120 ...), else milliseconds. Zero: 1/60. To seven decimals, as
+/// frame times are written. `stated` must not be negative.
+double frameTimeMeant(double stated);
 
 }  // namespace hair

@@ -11,14 +11,6 @@ namespace hair {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, UpAxis>, 6> kUpNames = {
-    {{"file", UpAxis::AsFile},
-     {"y", UpAxis::Y},
-     {"z", UpAxis::Z},
-     {"z-back", UpAxis::ZBack},
-     {"x", UpAxis::X},
-     {"y-down", UpAxis::YDown}}};
-
 constexpr std::string_view kStart = "libhair: ", kMetres = "metres, ", kUnits = " m a unit, ";
 
 // Rows: the library's x, y, z as combinations of the file's. Entries 0, 1, -1: exact in floats.
@@ -45,15 +37,9 @@ glm::mat3 libraryFromFile(UpAxis up) {
 }  // namespace
 
 UpAxis upAxisFromText(std::string_view text) {
-  for (const auto& [name, up] : kUpNames)
-    if (text == name) return up;
-  throw Error(hair::text("up axis '", text, "': choose file, y, z, z-back, x or y-down"));
-}
-
-std::string_view upAxisText(UpAxis up) {
-  for (const auto& [name, value] : kUpNames)
-    if (up == value) return name;
-  return "?";
+  for (const auto& word : wordsOf(UpAxis{}))
+    if (text == word.word) return word.value;
+  throw Error(hair::text("up axis '", text, "': choose one of ", allWords<UpAxis>()));
 }
 
 std::string_view upAxisMeaning(UpAxis up) {
@@ -110,10 +96,10 @@ bool unitsFromText(std::string_view words, float& scale, UpAxis& up) {
     stated = *number;
     words.remove_prefix(end + kUnits.size());
   }
-  for (const auto& [name, axis] : kUpNames) {
-    if (axis == UpAxis::AsFile || !words.starts_with(upAxisMeaning(axis))) continue;
+  for (const auto& axis : wordsOf(UpAxis{})) {
+    if (axis.value == UpAxis::AsFile || !words.starts_with(upAxisMeaning(axis.value))) continue;
     scale = stated;
-    up = axis;
+    up = axis.value;
     return true;
   }
   return false;

@@ -7,10 +7,9 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Contents of a .hair file (Cem Yuksel's format, "HAIR" files), in the file's own units and axes;
 /// strand_file.h converts. Optional arrays are empty where the file has none; its defaults apply

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/core/strands.h>
 
 namespace HAIR_API hair {
@@ -22,11 +23,15 @@ enum class UpAxis : std::uint8_t {
   X,       ///< +X up, +Z face:                        (x, y, z) -> (-y, x, z)
   YDown,   ///< -Y up, +Z face (turned over):          (x, y, z) -> (-x, -y, z)
 };
+/// Words for them (core/fields.h).
+constexpr auto wordsOf(UpAxis) {
+  return std::array{Word("file", UpAxis::AsFile), Word("y", UpAxis::Y),
+                    Word("z", UpAxis::Z),         Word("z-back", UpAxis::ZBack),
+                    Word("x", UpAxis::X),         Word("y-down", UpAxis::YDown)};
+}
 
 /// `file`, `y`, `z`, `z-back`, `x`, `y-down`, as `--up` takes them. Throws Error with the choices.
 UpAxis upAxisFromText(std::string_view text);
-/// The word that upAxisFromText takes for it.
-std::string_view upAxisText(UpAxis up);
 /// For people: "+Z up, +Y face".
 std::string_view upAxisMeaning(UpAxis up);
 

@@ -25,6 +25,7 @@ class TextReader {
     while (!rest_.empty()) {
       const std::size_t end = rest_.find_first_of("\r\n");
       line_ = rest_.substr(0, end);
+      lineEnded_ = end != std::string_view::npos;
       if (end == std::string_view::npos) {
         rest_ = {};
       } else {
@@ -43,6 +44,10 @@ class TextReader {
   /// Bytes after this line.
   std::size_t left() const { return rest_.size(); }
   bool lineDone() const { return line_.empty(); }
+  /// Whether the line ends with a line end, which the last of a file may lack.
+  bool lineEnded() const { return lineEnded_; }
+  /// First character of what is left of the line; 0 at its end.
+  char front() const { return line_.empty() ? '\0' : line_.front(); }
   /// What is left of the line, without blanks around it.
   std::string_view restOfLine() const {
     std::string_view t = line_;
@@ -101,7 +106,12 @@ class TextReader {
 
   template <class... Parts>
   [[noreturn]] void fail(const Parts&... parts) const {
-    throw Error(text(name_, ": line ", lineNumber_, ": ", parts...));
+    failAt(lineNumber_, parts...);
+  }
+  /// The same for an earlier line.
+  template <class... Parts>
+  [[noreturn]] void failAt(std::size_t line, const Parts&... parts) const {
+    throw Error(text(name_, ": line ", line, ": ", parts...));
   }
   template <class... Parts>
   void expect(bool condition, const Parts&... parts) const {
@@ -119,6 +129,7 @@ class TextReader {
   std::string_view rest_, line_;
   std::string name_;
   std::size_t lineNumber_ = 0;
+  bool lineEnded_ = false;
 };
 
 }  // namespace hair

@@ -10,8 +10,9 @@ namespace hair {
 
 namespace {
 
-bool finite(glm::vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+// Beyond, distances overflow. Written so that NaN fails too.
+bool inReach(glm::vec3 p) {
+  return glm::dot(p, p) < 1e30f;
 }
 
 }  // namespace
@@ -26,19 +27,20 @@ void validate(const Scenery& scenery) {
     const float length = glm::length(plane.normal);
     require(std::abs(length - 1) < 1e-3f, "plane ", i, ": a normal of length ", length,
             " is not unit; normalize it");
-    require(finite(plane.point), "plane ", i, ": its point is not finite");
+    require(inReach(plane.point), "plane ", i,
+            ": its point is not finite, or beyond 1e15 m; take one nearer to the hair");
   }
   for (std::size_t i = 0; i < scenery.meshes.size(); ++i) {
     const MeshCollider& mesh = scenery.meshes[i];
     require(mesh.sdf != nullptr, "mesh collider ", i,
             ": no distance field; give it one of sharedSdf");
-    require(mesh.scale > 0 && mesh.scale < 1e3f, "mesh collider ", i, ": scale = ", mesh.scale,
-            " is not in (0, 1000)");
+    require(mesh.scale >= kSmallestMeshScale && mesh.scale < 1e3f, "mesh collider ", i,
+            ": scale = ", mesh.scale, " is not in [1e-6, 1000)");
     const float length = glm::length(mesh.worldFromMesh.rotation);
     require(std::abs(length - 1) < 1e-3f, "mesh collider ", i, ": a rotation of length ", length,
             " is not unit; normalize it");
-    require(finite(mesh.worldFromMesh.translation), "mesh collider ", i,
-            ": its translation is not finite");
+    require(inReach(mesh.worldFromMesh.translation), "mesh collider ", i,
+            ": its translation is not finite, or beyond 1e15 m");
   }
 }
 

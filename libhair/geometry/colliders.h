@@ -61,7 +61,7 @@ struct Plane {
 struct MeshCollider {
   const MeshSdf* sdf = nullptr;    ///< not owned, not null
   RigidTransform worldFromMesh{};  ///< rotation and position of the mesh
-  float scale = 1;                 ///< (0, 1000)
+  float scale = 1;                 ///< [1e-6, 1000)
 };
 
 /// Colliders besides head and body: floor, furniture, a hat, a scanned body.
@@ -73,14 +73,29 @@ struct Scenery {
   bool empty() const { return planes.empty() && meshes.empty(); }
 };
 
+/// Most capsules that a body may have.
+inline constexpr std::size_t kMaxCapsules = 64;
+
 /// Largest number of planes of a Scenery.
 inline constexpr std::size_t kMaxPlanes = 8;
 /// Largest number of meshes of a Scenery.
 inline constexpr std::size_t kMaxMeshes = 8;
+/// Least MeshCollider::scale.
+inline constexpr float kSmallestMeshScale = 1e-6f;
+
+/// Head, body and scenery at the end of a step, and before it.
+struct ColliderState {
+  RigidTransform worldFromHead,       ///< at the end
+      worldFromHeadBefore;            ///< before
+  std::span<const Capsule> capsules,  ///< at the end
+      capsulesBefore;                 ///< before; same count and order
+  const MeshSdf* head = nullptr;      ///< in head space; may be null
+  Scenery scenery{};                  ///< planes and meshes at the end
+};
 
 /// Throws Error, naming the collider and the cause, for too many of a kind, normals and rotations
 /// that are not unit, scales out of range, meshes without a distance field, and positions that are
-/// not finite.
+/// not finite or beyond 1e15 m.
 void validate(const Scenery& scenery);
 
 /// As for a capsule: xyz = unit direction to the free side, w = metres to the surface, negative

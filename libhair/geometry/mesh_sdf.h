@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <libhair/core/api.h>
@@ -69,5 +70,12 @@ class MeshSdf {
   std::vector<float> distances_;
   std::vector<glm::vec3> gradients_;  ///< central differences
 };
+
+/// MeshSdf(mesh, cell, margin), shared between all callers with equal positions, triangles, cell
+/// and margin (compared by value). A field takes seconds to build and tens of megabytes; it is
+/// freed with its last owner. Thread-safe: two threads that ask for a new field at once may both
+/// build it, but get the same one. Throws Error as MeshSdf does.
+std::shared_ptr<const MeshSdf> sharedSdf(const TriangleMesh& mesh, float cell = 4e-3f,
+                                         float margin = 0.03f);
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-#include <libhair/geometry/shared_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 
 #include <compare>
 #include <cstdint>

@@ -2,10 +2,9 @@
 
 #include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/guides/guide_strands.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Factors L·D·Lᵀ of the implicit bending system of every guide, for one length of substep.
 ///

@@ -15,7 +15,7 @@ namespace hair {
 namespace HWY_NAMESPACE {
 
 // Metres: search distance of the contact pass, farther than the links move most points in a
-// substep. Points that move farther are rechecked (step.cpp).
+// substep. Points that move farther are rechecked (recheckContacts).
 inline constexpr float kContactRange = 1e-3f;
 // Bound of the gradient of the head's distance field, metres per metre. Neighbouring nodes differ
 // by at most a cell along each axis, which gives sqrt(3); the rest allows for errors of far nodes.

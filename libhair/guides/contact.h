@@ -3,25 +3,14 @@
 #include <span>
 #include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/core/lanes.h>
 #include <libhair/core/transform.h>
 #include <libhair/geometry/colliders.h>
 #include <libhair/guides/scenery.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 class MeshSdf;
-
-/// Colliders at the end of one substep, and before it.
-struct ColliderState {
-  RigidTransform worldFromHead,       ///< at the end
-      worldFromHeadBefore;            ///< before
-  std::span<const Capsule> capsules,  ///< at the end
-      capsulesBefore;                 ///< before; same count and order
-  const MeshSdf* head = nullptr;      ///< in head space; may be null
-  Scenery scenery{};                  ///< planes and meshes at the end
-};
 
 /// The first points after the root move with the head. If a collider covers the rest position of
 /// one of them (the neck does when the head is thrown back), no valid position exists: the required
@@ -30,9 +19,6 @@ struct ColliderState {
 inline constexpr std::uint32_t kAnchoredPoints = 3;
 /// Growth of the required distance after the last anchored point, metres per metre of strand.
 inline constexpr float kReachGrowth = 0.7f;
-
-/// Most capsules that a body may have.
-inline constexpr std::size_t kMaxCapsules = 64;
 
 /// Metres beyond the skin within which strands look for capsules, planes and meshes.
 inline constexpr float kSight = 0.01f;

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/core/state_hash.h>
 #include <libhair/geometry/mesh_sdf.h>
+#include <libhair/guides/rest_shape.h>
 #include <libhair/guides/validate.h>
 
 namespace hair {
@@ -15,22 +17,7 @@ glm::vec3 rootNormalOf(glm::vec3 rootDirection) {
 }
 
 void validate(const GuideSettings& s) {
-  const auto field = [](bool good, const char* name, auto value, const char* range) {
-    require(good, "guide settings: ", name, " = ", value, " is not in ", range);
-  };
-  field(s.linearDensity >= 1e-12f && s.linearDensity < 1, "linearDensity", s.linearDensity,
-        "[1e-12, 1) kg/m");
-  field(s.bendingStiffness >= 0 && s.bendingStiffness < 1, "bendingStiffness", s.bendingStiffness,
-        "[0, 1) N m^2");
-  field(s.tipStiffness > 0 && s.tipStiffness <= 1, "tipStiffness", s.tipStiffness, "(0, 1]");
-  field(s.bendDamping >= 0 && s.bendDamping < 1, "bendDamping", s.bendDamping, "[0, 1) s");
-  field(s.airDrag >= 0 && s.airDrag < 1e4f, "airDrag", s.airDrag, "[0, 1e4) 1/s");
-  field(s.carriedAir >= 0 && s.carriedAir <= 1, "carriedAir", s.carriedAir, "[0, 1]");
-  field(s.friction >= 0 && s.friction <= 10, "friction", s.friction, "[0, 10]");
-  field(s.skin >= 0 && s.skin < 0.1f, "skin", s.skin, "[0, 0.1) m");
-  field(s.substep >= 1e-5f && s.substep <= 0.1f, "substep", s.substep, "[1e-5, 0.1] s");
-  field(s.iterations >= 1 && s.iterations <= 32, "iterations", s.iterations, "[1, 32]");
-  field(glm::length(s.gravity) < 1000, "gravity", glm::length(s.gravity), "[0, 1000) m/s^2");
+  validateFields(s, "guide settings");
 }
 
 GuideStrands::GuideStrands(const Groom& groom, const GuideSettings& settings,

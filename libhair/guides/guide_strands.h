@@ -2,20 +2,23 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include <libhair/core/api.h>
 #include <libhair/core/lanes.h>
-#include <libhair/core/state_hash.h>
 #include <libhair/core/transform.h>
-#include <libhair/guides/rest_shape.h>
+#include <libhair/geometry/colliders.h>
 #include <libhair/guides/settings.h>
 #include <libhair/model/groom.h>
+#include <libhair/motion/wind.h>
 
 namespace HAIR_API hair {
 
 class MeshSdf;
+class StateHash;
+struct SubstepMemory;
 
 /// Guide strands as rigid links: state and rest shape.
 ///
@@ -119,5 +122,69 @@ class GuideStrands {
 
 /// Normal of the frame at a strand's root: arbitrary, but a fixed function of the root direction.
 glm::vec3 rootNormalOf(glm::vec3 rootDirection);
+
+/// What moves the guides over one frame. Roots and colliders are interpolated inside the frame,
+/// from where they were at its start to where they are at its end.
+struct GuideMotion {
+  RigidTransform worldFromHead{};             ///< at the end of the frame
+  std::span<const Capsule> capsules{};        ///< body at the end of the frame
+  std::span<const Capsule> capsulesBefore{};  ///< at its start; same count and order
+  const MeshSdf* head = nullptr;              ///< collider in head space; null: none
+  Wind wind{};                                ///< still air by default
+  double time = 0;                     ///< at the start of the frame, seconds; phase of the gusts
+  std::span<const LaneVec3> push{};    ///< m/s² on every point, laid out as GuideStrands; or empty
+  std::span<const Lanes> windShare{};  ///< fraction of the wind at every point; or empty: 1
+  Scenery scenery{};                   ///< at the end of the frame
+  Scenery sceneryBefore{};             ///< at its start; same counts and order, or empty: at rest
+};
+
+/// Working memory of stepGuides, opaque; kept by the caller, so that it is allocated once. Use one
+/// per GuideStrands.
+class GuideWorkspace {
+ public:
+  GuideWorkspace();
+  ~GuideWorkspace();
+  GuideWorkspace(GuideWorkspace&&) noexcept;             ///< moves all of it
+  GuideWorkspace& operator=(GuideWorkspace&&) noexcept;  ///< moves all of it
+
+  /// For the solver.
+  SubstepMemory& memory() { return *memory_; }
+  /// The same, read-only.
+  const SubstepMemory& memory() const { return *memory_; }
+
+ private:
+  std::unique_ptr<SubstepMemory> memory_;
+};
+
+/// Moves the guides over one frame of `seconds`. Each substep of length h:
+///   1. predict: velocity with drag, gravity, push, and the tension of the previous substep;
+///   2. bend: implicit Euler on the bending energy, one solve;
+///   3. contact: the nearest collider's plane for each point, with friction (contact-inl.h);
+///   4. links: Newton iterations, all links of a strand at once (links-inl.h), then exact lengths;
+///      or relaxation, one link after the other (relaxation-inl.h), which leaves some stretch;
+///   5. velocity = movement / h.
+/// Predicting with the last tension makes a groom at rest a fixed point of every substep, and
+/// starts Newton close to its solution otherwise. (Relaxation does not change the tension.)
+/// Throws Error for seconds not in [1e-6, 1], settings out of range, counts that differ, more than
+/// kMaxCapsules capsules, invalid wind, head, capsules, scenery or pushes, and a head too far from
+/// the origin (validate.h). Use one workspace per GuideStrands.
+void stepGuides(const GuideMotion& motion, const GuideSettings& settings, float seconds,
+                GuideWorkspace& workspace, GuideStrands& guides);
+
+/// Stretch, penetration and speed of the guides at one moment.
+struct GuideStats {
+  float stretchMax = 0;      ///< max of |l - l0| / l0 over all links
+  float stretchRms = 0;      ///< root mean square of the same
+  float penetrationMax = 0;  ///< depth of the deepest guide point in a collider, metres; 0: none
+  double kineticEnergy = 0;  ///< of the guides themselves, joules
+  float speedMax = 0;        ///< m/s
+};
+
+/// Measures the guides against these colliders. Points groomed inside the head count by the depth
+/// beyond that of the groom; points of a strand whose anchored points are covered by a collider, by
+/// the depth beyond what contact allows there; roots not at all.
+GuideStats measureGuides(const GuideStrands& guides, const GuideSettings& settings,
+                         std::span<const Capsule> capsules, const MeshSdf* head,
+                         const Scenery& scenery = {});
 
 }  // namespace hair

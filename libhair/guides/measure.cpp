@@ -1,4 +1,4 @@
-#include <libhair/guides/measure.h>
+#include <libhair/guides/guide_strands.h>
 
 #include <algorithm>
 #include <cmath>

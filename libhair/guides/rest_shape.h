@@ -5,11 +5,10 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
 #include <libhair/guides/settings.h>
 #include <libhair/model/groom.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Largest ratio of the link lengths of an even strand. In an uneven one the tension that one link
 /// can bear says nothing of that of the next.

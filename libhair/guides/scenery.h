@@ -2,11 +2,10 @@
 
 #include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/geometry/colliders.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// A plane at the end of a substep. During it, its surface moved by carry · (p - point) + drift at
 /// p.

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 
 namespace HAIR_API hair {
 
@@ -11,6 +12,10 @@ enum class LinkSolver {
   Direct,     ///< all links of a strand at once (Newton), then exact lengths: no stretch
   Relaxation  ///< one link after the other, as in the paper: stretch shrinks with the iterations
 };
+/// Words for them (core/fields.h).
+constexpr auto wordsOf(LinkSolver) {
+  return std::array{Word("direct", LinkSolver::Direct), Word("relaxation", LinkSolver::Relaxation)};
+}
 
 /// Dynamics of the guide strands. The defaults are those of human hair, stiffened near the root
 /// like a groomed wisp; they simulate the paper's hairstyle at interactive rates.
@@ -33,6 +38,21 @@ struct GuideSettings {
   LinkSolver linkSolver = LinkSolver::Direct;  ///< how links keep their lengths
   int iterations = 2;  ///< of the link solver per substep, [1, 32]; relaxation needs 8 or more
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const GuideSettings*) {
+  using S = GuideSettings;
+  return std::tuple(
+      Field("linearDensity", &S::linearDensity, "[1e-12, 1) kg/m"),
+      Field("bendingStiffness", &S::bendingStiffness, "[0, 1) N m^2"),
+      Field("tipStiffness", &S::tipStiffness, "(0, 1]"),
+      Field("bendDamping", &S::bendDamping, "[0, 1) s"),
+      Field("airDrag", &S::airDrag, "[0, 1e4) 1/s"), Field("carriedAir", &S::carriedAir, "[0, 1]"),
+      Field("friction", &S::friction, "[0, 10]"), Field("skin", &S::skin, "[0, 0.1) m"),
+      Field("gravity", &S::gravity, "[0, 1000) m/s^2"),
+      Field("substep", &S::substep, "[1e-5, 0.1] s"), Field("linkSolver", &S::linkSolver),
+      Field("iterations", &S::iterations, "[1, 32]"));
+}
 
 /// Throws Error that names the field and its range.
 void validate(const GuideSettings& settings);

@@ -1,3 +1,4 @@
+#include <libhair/guides/rest_shape.h>
 #include <libhair/guides/substeps.h>
 
 #include <algorithm>
@@ -58,6 +59,45 @@ float longestSubstep(const GuideMotion& motion, const GuideSettings& settings, f
   const float pull = pullOf(motion, settings, head, guides);
   return std::min({settings.substep, guides.longestSubstep(motion.worldFromHead, pull),
                    longestForRoots(head, guides)});
+}
+
+void cutFrame(const GuideMotion& motion, glm::vec3 origin, RigidTransform from, float skin,
+              std::size_t substeps, SubstepMemory& workspace) {
+  RigidTransform to = motion.worldFromHead;
+  from.translation -= origin, to.translation -= origin;
+  const std::size_t capsules = motion.capsules.size();
+  const std::size_t boxes = (capsules + kLanes - 1) / kLanes;
+  workspace.heads.resize(substeps + 1);
+  workspace.capsules.resize((substeps + 1) * capsules);
+  workspace.boxes.clear();
+  for (std::size_t s = 0; s <= substeps; ++s) {
+    const float t = static_cast<float>(s) / static_cast<float>(substeps);
+    workspace.heads[s] = blend(from, to, t);
+    for (std::size_t c = 0; c < capsules; ++c) {
+      const Capsule &before = motion.capsulesBefore[c], &after = motion.capsules[c];
+      workspace.capsules[s * capsules + c] = {glm::mix(before.a - origin, after.a - origin, t),
+                                              glm::mix(before.b - origin, after.b - origin, t),
+                                              glm::mix(before.radius, after.radius, t)};
+    }
+    const std::span all(workspace.capsules);
+    appendBoxes(all.subspan(s * capsules, capsules),
+                all.subspan((s > 0 ? s - 1 : s) * capsules, capsules), skin + kSight,
+                workspace.boxes);
+  }
+  const std::size_t planes = motion.scenery.planes.size(), meshes = motion.scenery.meshes.size();
+  cutScenery(motion.sceneryBefore, motion.scenery, origin, substeps, workspace.planes,
+             workspace.meshes);
+  workspace.colliders.clear();
+  for (std::size_t s = 1; s <= substeps; ++s)
+    workspace.colliders.push_back(
+        {glm::mat3_cast(workspace.heads[s].rotation),
+         glm::mat3_cast(workspace.heads[s - 1].rotation), workspace.heads[s].translation,
+         workspace.heads[s - 1].translation,
+         std::span(workspace.capsules).subspan(s * capsules, capsules),
+         std::span(workspace.capsules).subspan((s - 1) * capsules, capsules),
+         std::span(workspace.boxes).subspan(s * boxes, boxes), motion.head,
+         std::span(workspace.planes).subspan((s - 1) * planes, planes),
+         std::span(workspace.meshes).subspan((s - 1) * meshes, meshes)});
 }
 
 }  // namespace hair

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <libhair/guides/step.h>
+#include <libhair/guides/guide_strands.h>
+#include <libhair/guides/substep_memory.h>
 
 namespace hair {
 
@@ -13,5 +14,11 @@ namespace hair {
 /// Throws Error as GuideStrands::longestSubstep.
 float longestSubstep(const GuideMotion& motion, const GuideSettings& settings, float seconds,
                      const GuideStrands& guides);
+
+/// Cuts a frame into substeps: interpolates the head, from `from` to motion.worldFromHead, and the
+/// colliders at the ends of all substeps, relative to `origin` (metres, world). Fills all of
+/// `workspace` but the bending factors and the wind. `skin`: GuideSettings::skin.
+void cutFrame(const GuideMotion& motion, glm::vec3 origin, RigidTransform from, float skin,
+              std::size_t substeps, SubstepMemory& workspace);
 
 }  // namespace hair

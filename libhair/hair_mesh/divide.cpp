@@ -7,7 +7,7 @@ namespace hair {
 
 namespace {
 
-// Corners in a new order: `source` says which corner each was, kNoVertex for one that is new.
+// Corners in a new order: `source` gives the old number of each, kNoVertex for a new corner.
 void layOutCorners(std::vector<std::uint32_t> firstCorner, std::span<const std::uint32_t> source,
                    HairMesh& mesh) {
   for (HairMesh::Layer& layer : mesh.layers) {

@@ -32,7 +32,7 @@ struct LayerEdge {
   bool isInner() const { return other != kNoVertex; }
 };
 
-/// For each corner, what a loop over bundles would know. [cornerCount]
+/// [cornerCount]: the bundle of each corner, and the next corner around its face.
 struct CornerTable {
   std::vector<std::uint32_t> bundle, next;
 
@@ -56,21 +56,22 @@ class JoinedSets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Of each corner the least corner that is joined with it: of the same vertex, in faces that hang
-/// together edge by edge around it, across `edges`. kNoVertex where there is no face.
+/// For each corner the least corner of its fan: those of the same vertex in faces that are
+/// connected around it edge to edge, across `edges`. kNoVertex where there is no face.
 std::vector<std::uint32_t> fansOf(const CornerTable& table, std::span<const LayerEdge> edges,
                                   std::span<const std::uint32_t> vertices);
 
 /// Makes the vertices of a layer from its corners, and `below` from the layer below. Corners of one
-/// vertex stay together if `parts` (empty, or [cornerCount]) has one value for them, they stand on
-/// one vertex and are one fan. The fan with the least corner keeps the vertex's number, others come
-/// behind all; vertices that no corner has any more go, and numbers behind them close up.
+/// vertex keep sharing it if `parts` (empty, or [cornerCount]) has one value for them, they stand
+/// on one vertex and are one fan. The fan with the least corner keeps the vertex's number, the
+/// others' vertices are appended; vertices that no corner uses are removed, and higher numbers move
+/// down.
 void rejoin(std::size_t layer, HairMesh& mesh, std::span<const std::uint32_t> parts = {});
 
 /// rejoin for `layer` and all above; then drops empty layers at the top.
 void rejoinFrom(std::size_t layer, HairMesh& mesh);
 
-/// A layer without faces on top.
+/// Adds a layer without faces at the top.
 void addEmptyLayer(HairMesh& mesh);
 
 // Validation of arguments.

@@ -15,7 +15,7 @@ void HairMeshHistory::apply(const std::function<void(HairMesh&)>& edit) {
   HairMesh next = current();
   edit(next);
   validate(next, "hair mesh after the edit");
-  // The insertion alone may throw, and then does nothing.
+  // Only the insertion can throw, and then it has no effect.
   const auto inserted =
       steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(at_ + 1), std::move(next));
   steps_.erase(inserted + 1, steps_.end());

@@ -1,4 +1,5 @@
 #include <libhair/hair_mesh/exterior.h>
+#include <libhair/hair_mesh/surface.h>
 
 #include <algorithm>
 #include <tuple>

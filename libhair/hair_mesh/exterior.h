@@ -3,25 +3,19 @@
 #include <cstdint>
 #include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
-/// [layer][vertex], 1 for exterior vertices: those of the scalp, of tip faces, and of side quads
-/// that a single bundle has (Yuksel et al. 2009, section 3.3, figure 2a). What is 0 lies inside the
-/// volume, where no one sees it. `mesh` is valid (validate).
-std::vector<std::vector<std::uint8_t>> exteriorVertices(const HairMesh& mesh);
-
-/// A side of a prism: corner and the one after it around its face, in two layers.
+/// A side quad of a prism: an edge of a face and the same edge in the layer below.
 struct PrismSide {
   std::uint32_t corner,  ///< a corner of the face, among all corners of the mesh
       next;              ///< the one after it around the face
   bool outer;            ///< of one bundle alone
 };
 
-/// Side quads between `layer` (1 or above) and the one below, each once: of two bundles that share
-/// one, the first is named.
+/// Side quads between `layer` (1 or above) and the one below, each once: one that two bundles share
+/// is listed for the first of them.
 std::vector<PrismSide> prismSides(const HairMesh& mesh, std::size_t layer);
 
 }  // namespace hair

@@ -11,8 +11,8 @@ namespace hair {
 
 namespace {
 
-// Of all faces of the layer, so that a vertex goes to the same place whichever of them are extruded
-// first. Zero where they have no area.
+// Vertex normals from all faces of the layer, so that positions do not depend on the order in which
+// faces are extruded. Zero where the faces have no area.
 std::vector<glm::vec3> vertexNormals(const HairMesh& mesh, std::size_t k) {
   const HairMesh::Layer& layer = mesh.layers[k];
   std::vector<glm::dvec3> sums(layer.vertexCount(), glm::dvec3(0));
@@ -126,7 +126,7 @@ void extrudeLayer(std::size_t k, std::span<const std::uint32_t> bundles, float d
     ++mesh.lastLayer[j];
   }
 
-  // New faces join among themselves first, then those that stood there, in the order of corners.
+  // Join new faces with each other first, then with existing ones, in the order of corners.
   TipVertices vertices(next, standing, std::move(parted));
   for (const int newFaces : {2, 1})
     for (const LayerEdge& edge : edges)
@@ -154,7 +154,7 @@ void extrudeFaces(std::span<const std::uint32_t> bundles, float distance, HairMe
   require(std::isfinite(distance), "the distance to extrude is not finite");
   editCopy(mesh, [&](HairMesh& m) {
     requireBundles(m, bundles);
-    // From the top, so that each tip goes along the normals it has now.
+    // Start at the top, so that each tip moves along its current normals.
     std::map<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> byLayer;
     for (const std::uint32_t j : bundles) byLayer[m.lastLayer[j]].push_back(j);
     for (auto& [layer, tips] : byLayer) {

@@ -11,7 +11,7 @@
 
 namespace HAIR_API hair {
 
-/// No vertex here: the bundle has ended below.
+/// Marks a corner without a vertex: its bundle ends in a lower layer.
 inline constexpr std::uint32_t kNoVertex = 0xffffffffu;
 
 /// Polygons of any number of sides, counter-clockwise seen from outside.
@@ -20,7 +20,7 @@ struct PolygonMesh {
   std::vector<std::uint32_t> firstCorner = {0};  ///< [faceCount + 1], never decreasing
   std::vector<std::uint32_t> corners;            ///< [cornerCount], vertex of each corner
 
-  /// How many polygons there are.
+  /// Number of polygons.
   std::size_t faceCount() const { return firstCorner.size() - 1; }
   /// Vertices of polygon f.
   std::span<const std::uint32_t> face(std::size_t f) const {
@@ -61,14 +61,14 @@ struct HairMesh {
   std::vector<std::uint32_t> lastLayer;          ///< [bundleCount], n_j: the tip's layer
   std::vector<Layer> layers;  ///< [layerCount], root first; the last is not empty
 
-  /// Bundles: faces of the scalp, with what stands on them.
+  /// Number of bundles, one for each face of the scalp.
   std::size_t bundleCount() const { return lastLayer.size(); }
-  /// Corners of one layer's faces, those above a tip included.
+  /// Number of corners of one layer's faces, those above a tip included.
   std::size_t cornerCount() const { return firstCorner.back(); }
-  /// Layers, the scalp's included.
+  /// Number of layers, the scalp's included.
   std::size_t layerCount() const { return layers.size(); }
   std::size_t vertexCount() const;  ///< of all layers
-  /// Sides of each of the bundle's faces.
+  /// Number of sides of each of the bundle's faces.
   std::uint32_t sides(std::size_t bundle) const {
     return firstCorner[bundle + 1] - firstCorner[bundle];
   }

@@ -118,8 +118,8 @@ class LayerVertices {
   std::vector<std::uint32_t> layer_, local_;
 };
 
-// A layer of the mesh has an array of all corners, used or not: a file of many thousand layers of
-// one face on many thousand roots would want far more memory than it has bytes.
+// Each layer of a mesh has an array of all corners, used or not: a small file of thousands of
+// layers of one face, on a scalp of thousands of faces, would need very much memory.
 void requireProportion(const ObjectFile& file, std::size_t bytes, std::string_view name) {
   const std::size_t corners = file.objects.front().corners.size();
   const std::size_t most = (std::size_t{1} << 20) / 8 + 32 * bytes;
@@ -128,7 +128,7 @@ void requireProportion(const ObjectFile& file, std::size_t bytes, std::string_vi
           " bytes may have layers times corners up to ", most);
 }
 
-// Corners of layer k, and what its vertices stand on; those below are done.
+// Sets the corners of layer k, and the vertices below its own; lower layers must be complete.
 void fillLayer(const ObjectFile& file, std::size_t k, const LayerVertices& vertices,
                std::string_view name, HairMesh& mesh) {
   const Object& object = file.objects[k];
@@ -162,7 +162,7 @@ void fillLayer(const ObjectFile& file, std::size_t k, const LayerVertices& verti
 
 void putNumber(std::string& bytes, float value) {
   char digits[32];
-  // Nine digits bring every float back; the shortest that do are not safe to read through doubles.
+  // Nine digits reproduce every float; fewer that do are not safe for readers that parse doubles.
   const auto end =
       std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 9).ptr;
   (bytes += ' ').append(digits, end);

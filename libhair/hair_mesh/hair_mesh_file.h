@@ -10,18 +10,18 @@
 
 namespace HAIR_API hair {
 
-/// Reads a hair mesh from an OBJ file, as any polygon modeller opens and saves it: one object a
-/// layer, `o layer_0` the scalp, metres, +Y up. Such programs keep the order of objects' faces and
-/// corners and little else, so the order alone says what belongs together: bundles stand by
-/// descending n_j, the m_k faces of layer k are of the first m_k bundles, and corner i of a face
-/// goes on as corner i of the face of the same number in the next layer. (docs/formats.md)
+/// Reads a hair mesh from an OBJ file that polygon modellers can open and save: one object per
+/// layer, `o layer_0` the scalp, metres, +Y up. Such programs preserve the order of objects' faces
+/// and corners and little else, so bundles are encoded by order alone: they are sorted by
+/// descending n_j, the m_k faces of layer k belong to the first m_k bundles, and corner i of a face
+/// continues as corner i of the face of the same number in the next layer. (docs/formats.md)
 ///
 /// Objects whose names all begin with `layer_` and a number are layers in the order of these
 /// numbers, whatever follows (`layer_2.001`); others in the order of the file. Groups (`g`) are the
 /// objects of a file without `o`. Objects without faces, vertices without faces, normals, texture
-/// coordinates, materials and unknown lines are left alone. Pins are not in the file.
+/// coordinates, materials and unknown lines are ignored. Pins are not in the file.
 ///
-/// Throws Error (file, line or layer, cause) for what is no hair mesh.
+/// Throws Error (file, line or layer, cause) if the file is not a hair mesh.
 HairMesh readHairMesh(const std::filesystem::path& file);
 
 /// The same from bytes in memory; `name` names the file in messages.
@@ -37,8 +37,8 @@ std::vector<std::uint32_t> writeHairMesh(const std::filesystem::path& file, cons
 /// The bytes that writeHairMesh writes.
 std::string hairMeshBytes(const HairMesh& mesh);
 
-/// All faces of an OBJ file as one mesh, polygons kept: a scalp. What no face uses stays in it.
-/// Throws Error (file, line, cause).
+/// Reads all faces of an OBJ file as one polygon mesh, such as a scalp. Keeps vertices that no face
+/// uses. Throws Error (file, line, cause).
 PolygonMesh parsePolygons(std::string_view bytes, std::string_view name);
 
 }  // namespace hair

@@ -8,6 +8,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/state_hash.h>
+#include <libhair/hair_mesh/surface.h>
 
 namespace hair {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <libhair/core/api.h>
-#include <libhair/hair_mesh/exterior.h>
+#include <libhair/hair_mesh/hair_mesh.h>
 
 namespace HAIR_API hair {
 
@@ -21,15 +21,15 @@ struct PlacementResult {
   bool unique = true;  ///< false: some layers have no fixed vertex; they keep their centroid
 };
 
-/// Places interior vertices (Yuksel et al. 2009, section 3.3): of all places of the vertices that
-/// are neither exterior nor pinned, those that minimise
+/// Places interior vertices (Yuksel et al. 2009, section 3.3): finds the positions of the vertices
+/// that are neither exterior nor pinned which minimise
 ///
 ///   E = sum_j sum_k sum_i |(V_{j,i}^{k+1} - V_{j,i}^k) - (V_{j,i+1}^{k+1} - V_{j,i+1}^k)|^2
 ///
 /// over bundles j, prisms k = 0 ... n_j - 1 between layers k and k + 1, and corners i. (The paper
-/// counts k from 1 to n_j; it means every prism.) The sum is taken as it stands: a side quad
-/// between two bundles counts for both. Quads that one bundle has move nothing, all four of their
-/// vertices being exterior, so that counting each quad once has the same minimum.
+/// counts k from 1 to n_j; it means every prism.) A side quad between two bundles is summed twice.
+/// The quads of a single bundle are constant, as all four of their vertices are exterior, so that
+/// summing each quad once would give the same minimum.
 ///
 /// E is the same quadratic form in x, y and z: one symmetric integer matrix, assembled once from
 /// topology and pins. After an edit of positions only the right-hand side and conjugate gradients
@@ -47,7 +47,7 @@ class InteriorPlacement {
   explicit InteriorPlacement(const HairMesh& mesh);
 
   /// Moves the free vertices of `mesh`, which has the topology and the pins of construction. Throws
-  /// Error, and moves nothing, if it has others, if a place is not finite, or if a setting is not
+  /// Error, and moves nothing, if these differ, if a position is not finite, or if a setting is not
   /// in its range.
   PlacementResult place(HairMesh& mesh, const PlacementSettings& settings = {});
 
@@ -78,7 +78,7 @@ class InteriorPlacement {
   std::vector<glm::dvec3> move_, residual_, direction_, change_;  ///< [freeCount]
 };
 
-/// All of it for a mesh that is edited once.
+/// Assembles the system and solves it, for a mesh that is edited once.
 PlacementResult placeInterior(HairMesh& mesh, const PlacementSettings& settings = {});
 
 }  // namespace hair

@@ -54,7 +54,7 @@ void insertLayer(std::size_t layer, std::uint32_t bundle, HairMesh& mesh) {
     addEmptyLayer(m);
     for (std::size_t k = m.layerCount() - 1; k > layer; --k)
       copyFaces(bundles, m.layers[k - 1], m.layers[k], m);
-    // Vertices that these faces have in `layer` belong to no others: what is connected has moved.
+    // No other face uses the vertices of these in `layer`: all connected faces have moved up.
     HairMesh::Layer& middle = m.layers[layer];
     std::vector<std::uint8_t> done(middle.vertexCount(), 0);
     for (const std::uint32_t j : bundles) {

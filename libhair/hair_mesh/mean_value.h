@@ -7,8 +7,8 @@
 
 namespace hair {
 
-/// A polygon of 3 or more corners seen along its Newell normal (the sum of the cross products of
-/// successive corners, which is the area that it shows from its widest side). A polygon whose
+/// A polygon of 3 or more corners projected along its Newell normal (the sum of the cross products
+/// of successive corners; the direction in which its projected area is largest). A polygon whose
 /// corners are not in one plane is projected onto the plane through their mean.
 struct FlatPolygon {
   explicit FlatPolygon(std::span<const glm::vec3> polygon);
@@ -30,14 +30,14 @@ struct FlatPolygon {
 ///   w_i = (tan(a_{i-1}/2) + tan(a_i/2)) / |r_i|,  divided by their sum.
 ///
 /// They sum to 1 and sum_i w_i corner_i = p, everywhere; they are positive inside a convex polygon
-/// (and where p sees all of the polygon). At a corner they are that corner's, on an edge linear
-/// between its ends, without a jump. A polygon without area has equal weights.
+/// (and where all of the polygon is visible from p). They are 1 at their own corner, linear along
+/// edges, and continuous. A polygon without area has equal weights.
 void meanValueCoordinates(std::span<const glm::dvec2> polygon, glm::dvec2 p,
                           std::span<float> weights);
 
-/// Of p, projected, in a polygon of space, projected: for a planar polygon sum_i w_i corner_i is
-/// p's projection on its plane; else the point of a smooth surface through the polygon's edges that
-/// lies above or below p's projection.
+/// Mean value coordinates of the projection of p in the projection of a polygon in space: for a
+/// planar polygon sum_i w_i corner_i is p's projection on its plane; else the point of a smooth
+/// surface through the polygon's edges that lies above or below p's projection.
 void meanValueCoordinates(std::span<const glm::vec3> polygon, glm::vec3 p,
                           std::span<float> weights);
 

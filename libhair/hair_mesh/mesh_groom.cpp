@@ -6,7 +6,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/guides/rest_shape.h>
-#include <libhair/hair_mesh/trace.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/model/comb.h>
 #include <libhair/wisps/bind.h>
 
@@ -51,7 +51,7 @@ std::vector<glm::vec3> guidesAlong(const HairMesh& mesh, const HairMeshChains& c
   return points;
 }
 
-// Of each chain, the points that its ties hold: those that lie no farther along it than the layer.
+// [chainCount]: number of tied points, those no farther along the chain than its tied layer.
 std::vector<std::uint32_t> tiedPoints(const HairMesh& mesh, const HairMeshChains& chains,
                                       std::span<const std::uint32_t> tied,
                                       std::uint32_t pointsPerGuide) {
@@ -74,7 +74,8 @@ std::vector<std::uint32_t> tiedPoints(const HairMesh& mesh, const HairMeshChains
   return points;
 }
 
-// The three corners of most weight, the greatest first; fewer corners than three there are none.
+// Sets the parents to the three corners of most weight, the greatest first. (A face has at least
+// three.)
 void hang(const HairMesh& mesh, const HairMeshChains& chains, const HairMeshRoots& roots,
           std::size_t root, glm::uvec3& parents, glm::vec3& weights) {
   const auto w = roots.weightsOf(root);

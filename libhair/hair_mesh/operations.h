@@ -5,8 +5,8 @@
 #include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 
-// Topological operations (Yuksel et al. 2009, section 3.2). Each takes a valid mesh and leaves one,
-// or throws Error with the reason and changes nothing. New vertices get positions; call
+// Topological operations (Yuksel et al. 2009, section 3.2). Each turns a valid mesh into a valid
+// mesh, or throws Error with the reason and changes nothing. New vertices get positions; call
 // placeInterior afterwards to optimise interior ones. Layers above the scalp only: the root layer
 // is the scalp's, and only smooth subdivision moves its vertices.
 //
@@ -15,7 +15,7 @@
 // down. Faces connected only at a point are separated too.
 namespace HAIR_API hair {
 
-/// Between two neighbouring corners of one layer, in either order.
+/// An edge of one layer, by its two vertices in either order.
 struct HairMeshEdge {
   std::uint32_t a = 0,  ///< vertex of the layer
       b = 0;            ///< vertex of the layer
@@ -24,17 +24,17 @@ struct HairMeshEdge {
 /// Face Extrude: a new tip for each bundle, `distance` metres along the normals of the layer that
 /// its tip is in (of all faces there, by area; so the order in which neighbours are extruded does
 /// not matter). A new face is joined with each neighbour across an edge of that layer that has a
-/// face in the next one: first new ones with each other, then, by number of corner, with those that
-/// stood there, which stay in place. Where a vertex would so have to be in two places, a slit stays
-/// along the edge; where two vertices that stood apart coincide, pins included, they become one,
+/// face in the next one: first new ones with each other, then, by number of corner, with existing
+/// ones, which stay in place. Where that would need a vertex at two positions, the faces stay
+/// separate along the edge; where two separate vertices coincide, pins included, they become one,
 /// unless that would close an edge along which faces were separated.
 void extrudeFaces(std::span<const std::uint32_t> bundles, float distance, HairMesh& mesh);
 
-/// Face Delete: removes the tip face of each bundle; of a bundle without length the scalp's face
-/// too: hair no longer grows there, and the numbers of bundles behind it go down by one.
+/// Face Delete: removes the tip face of each bundle; of a bundle without length the scalp's face:
+/// no hair grows there any more, and the numbers of later bundles decrease by one.
 void deleteFaces(std::span<const std::uint32_t> bundles, HairMesh& mesh);
 
-/// Bundles whose faces in `layer` are joined, edge by edge, to that of `bundle`; ascending. Throws
+/// Bundles whose faces in `layer` are connected edge to edge to that of `bundle`; ascending. Throws
 /// Error if `bundle` has none there.
 std::vector<std::uint32_t> connectedFaces(const HairMesh& mesh, std::size_t layer,
                                           std::uint32_t bundle);
@@ -48,25 +48,26 @@ void insertLayer(std::size_t layer, std::uint32_t bundle, HairMesh& mesh);
 /// tips the same as Face Delete.
 void removeLayer(std::size_t layer, std::uint32_t bundle, HairMesh& mesh);
 
-/// Edge Separate: cuts along edges of `layer` (1 or above). Each of their vertices becomes one for
-/// every fan of faces that the cuts leave around it, all at the same place; and above likewise.
-/// Throws Error for a single inner edge, which would separate at neither end.
+/// Edge Separate: cuts along edges of `layer` (1 or above). Each of their vertices is replaced by
+/// one for every fan of faces that the cuts leave around it, all at the same position; likewise in
+/// the layers above. Throws Error for a single inner edge, which would separate at neither end.
 void separateEdges(std::size_t layer, std::span<const HairMeshEdge> edges, HairMesh& mesh);
 
-/// Vertex Separate: each face around the vertex gets a vertex of its own; and above likewise.
+/// Vertex Separate: each face around the vertex gets a vertex of its own; likewise in the layers
+/// above.
 void separateVertices(std::size_t layer, std::span<const std::uint32_t> vertices, HairMesh& mesh);
 
 /// Vertex Weld: joins vertices of one layer that stand on the same vertex of the scalp, half-way
-/// between them; and those below them likewise. Layers above stay parted. Pinned if one of them
-/// was. Refused where their faces come to share no edge: they would hang together at a point.
+/// between them; likewise those below them. Layers above stay separate. The result is pinned if one
+/// of them was. Throws Error where their faces would share no edge, but be connected at a point.
 void weldVertices(std::size_t layer, std::uint32_t a, std::uint32_t b, HairMesh& mesh);
 
-/// Edge Weld: both ends of two edges; ends that are one vertex already stay.
+/// Edge Weld: welds the ends of two edges; ends that are one vertex already stay.
 void weldEdges(std::size_t layer, HairMeshEdge a, HairMeshEdge b, HairMesh& mesh);
 
-/// Face Divide: bundle j is cut in two between two of its corners (numbered 0 to sides - 1, not
-/// neighbours), in all of its layers. The part from cornerA to cornerB stays bundle j, the other is
-/// the last bundle. Returns its number.
+/// Face Divide: splits bundle j between two of its corners (numbered 0 to sides - 1, not
+/// neighbours), in all of its layers. The part from cornerA to cornerB stays bundle j, the other
+/// becomes the last bundle. Returns its number.
 std::uint32_t divideFace(std::uint32_t bundle, std::uint32_t cornerA, std::uint32_t cornerB,
                          HairMesh& mesh);
 
@@ -74,7 +75,7 @@ std::uint32_t divideFace(std::uint32_t bundle, std::uint32_t cornerA, std::uint3
 /// all layers of the bundle and of its neighbour across that edge of the scalp.
 void divideEdge(std::uint32_t bundle, std::uint32_t corner, HairMesh& mesh);
 
-/// By which rule a layer is refined.
+/// Rule of subdivision.
 enum class Subdivision : std::uint8_t {
   CatmullClark,  ///< each face of n sides into n of four; Catmull and Clark 1978
   Loop,          ///< each triangle into four; Loop 1987. Refused unless all faces are triangles

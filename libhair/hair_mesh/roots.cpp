@@ -1,4 +1,4 @@
-#include <libhair/hair_mesh/roots.h>
+#include <libhair/hair_mesh/grow.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ std::uint32_t keyOf(std::uint32_t bundle, std::uint32_t number) {
   return hashWord(bundle ^ hashWord(number));
 }
 
-/// The endless queue of candidates over one face.
+/// The infinite sequence of candidates over one face.
 class Candidates {
  public:
   Candidates(std::span<const glm::vec3> face, std::uint32_t bundle, std::uint32_t seed)
@@ -46,7 +46,7 @@ class Candidates {
 
   double area() const { return flat_.area; }
 
-  /// False: it is not in the face. Else its weights and place.
+  /// False for a candidate outside of the face; else sets its weights and its position.
   bool at(std::uint32_t number, std::span<float> weights, glm::vec3& place) const {
     // Jitter by the spacing of the candidates so far, which hides rows without leaving gaps.
     const double i = number, jitter = 0.7 / std::sqrt(i + 1);
@@ -63,7 +63,7 @@ class Candidates {
     return true;
   }
 
-  /// In [0, 1): the candidate is kept where density, as a share of its greatest, is above this.
+  /// In [0, 1): the candidate is accepted where density over its maximum is above this.
   float threshold(std::uint32_t number) const {
     return uniform(keyOf(bundle_, number), Keep, seed_);
   }
@@ -87,7 +87,7 @@ struct BundleRoots {
 
 float densityAt(const ScalpDensity& density, glm::vec3 p) {
   const float d = density(p);
-  return d > 0 ? std::min(d, 1.0f) : 0.0f;  // not a number: none
+  return d > 0 ? std::min(d, 1.0f) : 0.0f;  // a NaN counts as 0
 }
 
 void weigh(const Candidates& candidates, const ScalpDensity& density, std::span<float> weights,
@@ -112,7 +112,7 @@ std::uint32_t arrivedBy(const BundleRoots& bundle, double time) {
   return static_cast<std::uint32_t>(std::max(0.0, std::ceil(time * bundle.mass - bundle.time)));
 }
 
-// Counts so that the first `strands` of all bundles' queues have come.
+// Sets the bundles' counts so that the `strands` earliest roots of all sequences are taken.
 void countArrivals(std::uint32_t strands, double mass, std::vector<BundleRoots>& bundles) {
   const auto total = [&](double time) {
     std::uint64_t sum = 0;
@@ -124,7 +124,7 @@ void countArrivals(std::uint32_t strands, double mass, std::vector<BundleRoots>&
     const double middle = 0.5 * (early + late);
     (total(middle) <= strands ? early : late) = middle;
   }
-  // `late` is the next moment at which roots come; should several at once, the first bundles' do.
+  // `late` is the time of the next roots; of several at that time, take those of the first bundles.
   std::uint64_t missing = strands - total(early);
   for (BundleRoots& bundle : bundles) {
     bundle.count = arrivedBy(bundle, early);
@@ -194,7 +194,7 @@ HairMeshRoots placeRoots(const HairMesh& mesh, const RootSettings& settings,
   double mass = 0;
   for (std::uint32_t j = 0; j < bundleCount; ++j) {
     mass += bundles[j].mass;
-    // Two words, so that no two bundles of a large mesh are likely to come at once.
+    // Use two random words: equal times are then unlikely even in a large mesh.
     bundles[j].time = static_cast<double>(uniform(j, BundleTime, settings.seed)) +
                       static_cast<double>(uniform(j, BundleTimeLow, settings.seed)) * 0x1p-24;
   }

@@ -1,4 +1,5 @@
 #include <libhair/hair_mesh/scalp_patch.h>
+#include <libhair/model/scalp_roots.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,8 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Vertex 0 is the pole, then ring by ring what point(ring's share of the way, turn) says.
+// Vertex 0 is the pole, followed by the rings: vertices point(r / rings, sector) for r = 1 ...
+// rings.
 PolygonMesh ringsOf(const ScalpPatch& patch,
                     const std::function<glm::vec3(float share, std::uint32_t sector)>& point) {
   require(patch.rings >= 1 && patch.sectors >= 3, "scalp: ", patch.rings, " rings of ",
@@ -45,7 +47,7 @@ glm::vec3 fromPole(const ScalpPatch& patch, float angle, std::uint32_t s) {
   return {std::sin(angle) * std::sin(turn), std::cos(angle), std::sin(angle) * std::cos(turn)};
 }
 
-// The way over the built-in head from the whorl outwards, along the parting at the front.
+// A curve over the built-in head from the whorl outwards, along the parting at the front.
 class Meridian {
  public:
   Meridian(const ScalpPatch& patch, const Parting& parting, std::uint32_t sector)
@@ -62,17 +64,17 @@ class Meridian {
     const float c = std::cos(tilt_), s = std::sin(tilt_);
     d = {d.x, c * d.y - s * d.z, s * d.y + c * d.z};
     glm::vec3 p = onScalp(kSkullMiddle + d);
-    // The whole top moves over to the parting, the sides and the back stay.
+    // Shift the whole top to the parting, but not the sides and the back.
     const float moved = 1 - glm::smoothstep(0.0f, 1.2f, angle) * (1 - front_);
     const float x = p.x + moved * parting_.x;
-    // The ray through the skull's middle bends x again: a few corrections end that.
+    // Projection along rays from the skull's middle changes x: repeat it until x is kept.
     for (int i = 0; i < 6; ++i) p = onScalp({x, p.y, p.z});
     return p;
   }
 
-  // Angle at which it leaves the scalp.
+  // Angle at which the curve leaves the scalp.
   float hairline() const {
-    constexpr float kStep = 0.03f;  // 3 mm: ears are wider
+    constexpr float kStep = 0.03f;  // 3 mm: no step over an ear
     float inside = 0;
     while (inside < 2.6f && scalpMask(at(inside + kStep)) >= 0.5f) inside += kStep;
     float outside = inside + kStep;

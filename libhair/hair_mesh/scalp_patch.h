@@ -2,14 +2,14 @@
 
 #include <libhair/core/api.h>
 #include <libhair/hair_mesh/hair_mesh.h>
-#include <libhair/model/scalp_roots.h>
+#include <libhair/model/styles.h>
 
 namespace HAIR_API hair {
 
 /// A scalp as rings of polygons around a pole: `sectors` triangles around it, then rings of quads.
-/// Ring r (0 the innermost), sector s is face r · sectors + s; sectors go round counter-clockwise
-/// seen from above, and begin at the front (+Z): between the last sector and sector 0 edges lead
-/// straight from the pole to the front.
+/// Ring r (0 the innermost), sector s is face r · sectors + s; sectors are numbered
+/// counter-clockwise as seen from above, from the front (+Z) on: the edges between the last sector
+/// and sector 0 lead straight from the pole to the front.
 struct ScalpPatch {
   std::uint32_t rings = 4;     ///< >= 1
   std::uint32_t sectors = 16;  ///< >= 3

@@ -20,8 +20,8 @@ std::uint32_t cornerOf(const HairMesh::Layer& layer, std::uint32_t vertex) {
                                     layer.corners.begin());
 }
 
-// a and b, and what they stand on, down to where that is one vertex. `rejoin` must follow, or they
-// stand on vertices that no face uses.
+// Merges a and b, and the vertices below them, down to one that both stand on. Leaves unused
+// vertices, which `rejoin` must remove.
 void mergeDownward(std::size_t layer, std::uint32_t a, std::uint32_t b, HairMesh& mesh) {
   for (std::size_t k = layer; a != b; --k) {
     HairMesh::Layer& l = mesh.layers[k];
@@ -35,7 +35,7 @@ void mergeDownward(std::size_t layer, std::uint32_t a, std::uint32_t b, HairMesh
   }
 }
 
-// Welds corners of the layer with each other, pair by pair; `what` names them in the refusal.
+// Welds corners of the layer with each other, pair by pair; `what` names them in the error.
 void weldCorners(std::size_t layer,
                  std::span<const std::pair<std::uint32_t, std::uint32_t>> cornerPairs,
                  const std::string& what, HairMesh& mesh) {
@@ -44,7 +44,7 @@ void weldCorners(std::size_t layer,
     mergeDownward(layer, corners[a], corners[b], mesh);
   }
   rejoinFrom(1, mesh);
-  // rejoin has separated again what shares no edge, which would be connected only at a point.
+  // rejoin has separated again those whose faces share no edge: they would be connected at a point.
   for (const auto& [a, b] : cornerPairs)
     require(mesh.layers[layer].corners[a] == mesh.layers[layer].corners[b], "layer ", layer, ": ",
             what, " would hold faces together at a point only; weld an edge that ends there");
@@ -126,7 +126,7 @@ void weldEdges(std::size_t layer, HairMeshEdge a, HairMeshEdge b, HairMesh& mesh
     const std::string what = text("edges ", a.a, "-", a.b, " and ", b.a, "-", b.b);
     require(&edgeA != &edgeB, "layer ", layer, ": edge ", a.a, "-", a.b,
             " is to be welded with itself");
-    // Neighbours run along an edge in opposite ways.
+    // Neighbouring faces traverse their edge in opposite directions.
     const std::vector<std::uint32_t>& root = m.layers[0].corners;
     const std::uint32_t startA = edgeA.corner, endA = table.next[startA];
     const std::uint32_t startB = edgeB.corner, endB = table.next[startB];

@@ -1,4 +1,4 @@
-#include <libhair/hair_mesh/styling.h>
+#include <libhair/hair_mesh/grow.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/hair_mesh/mean_value.h>
-#include <libhair/hair_mesh/trace.h>
 #include <libhair/model/guide_curve.h>
 
 namespace hair {
@@ -49,7 +49,7 @@ void validate(const StylingSettings& s) {
           " are metres; take 1e-4 or more");
 }
 
-// Keeps the share of a strand next to its root: its curve, resampled.
+// Shortens a strand to this share from its root, by resampling its curve.
 void cut(float share, std::span<glm::vec3> strand, std::vector<glm::vec3>& whole) {
   whole.assign(strand.begin(), strand.end());
   for (std::size_t k = 1; k < strand.size(); ++k) {
@@ -66,7 +66,7 @@ std::vector<std::uint32_t> clumpCentres(const HairMeshRoots& roots, std::uint32_
     for (std::size_t r = begin; r < end; ++r) {
       const std::uint32_t first = roots.firstRoot[roots.bundle[r]];
       const std::uint32_t count = roots.firstRoot[roots.bundle[r] + 1] - first;
-      // The first roots of a bundle are spread over it as all of them are.
+      // Take the first roots: they are as evenly spread over the bundle as all of them.
       const std::uint32_t clumps = (count - 1) / clumpSize + 1;
       float best = INFINITY;
       for (std::uint32_t c = first; c < first + clumps; ++c) {
@@ -78,7 +78,7 @@ std::vector<std::uint32_t> clumpCentres(const HairMeshRoots& roots, std::uint32_
   return centres;
 }
 
-// In [-1, 1], with a tangent everywhere: from one random value to the next at whole x.
+// Value noise in [-1, 1], with a continuous derivative: interpolates random values at whole x.
 float smoothNoise(std::uint32_t key, Use use, std::uint32_t seed, float x) {
   const float cell = std::floor(x), t = x - cell;
   const auto value = [&](std::uint32_t i) { return 2 * uniform(key + hashWord(i), use, seed) - 1; };
@@ -101,7 +101,8 @@ class Deviation {
   glm::vec2 at(float along, float length) const {
     glm::vec2 d(0);
     if (s_.curlRadius > 0) {
-      // Widens to a full helix over the first turn; the strand goes on where it was before.
+      // Widens to a full helix over the first turn, so that the strand has no jump where curls
+      // begin.
       const float wound = along - s_.curlFromRoot * length;
       const float angle = kTurn * (phase_ + wound / pitch_);
       d += s_.curlRadius * glm::smoothstep(0.0f, pitch_, wound) *
@@ -156,7 +157,7 @@ void style(const HairMesh& mesh, const HairMeshRoots& roots, const StylingSettin
       for (std::size_t r = begin; r < end; ++r) {
         if (centres[r] == r) continue;  // centres stay: others read them meanwhile
         const auto strand = strands.strand(r);
-        // Strands that a caller brought may differ in their numbers of points.
+        // Strands of the caller may differ in their numbers of points.
         const auto centre = strands.view().strand(centres[r]);
         const float last = static_cast<float>(strand.size() - 1);
         for (std::size_t k = 1; k < strand.size(); ++k) {

@@ -46,7 +46,7 @@ Pattern patternOf(Subdivision rule, const HairMesh& mesh) {
   return pattern;
 }
 
-// A layer as the rules see it. Sums in double, in the order of edges and corners.
+// What the rules read of a layer. Sums in double, in the order of edges and corners.
 struct Surface {
   const HairMesh& mesh;
   const CornerTable& table;
@@ -121,7 +121,7 @@ std::vector<glm::dvec3> smoothVertices(Subdivision rule, const Surface& s) {
   return places;
 }
 
-// New vertices: those of the old, then of edges, then (Catmull-Clark) of faces.
+// Orders the new vertices: those of old vertices, then of edges, then (Catmull-Clark) of faces.
 HairMesh::Layer subdivideLayer(Subdivision rule, bool smooth, const Surface& s,
                                const Pattern& pattern, std::size_t k) {
   HairMesh::Layer fine;

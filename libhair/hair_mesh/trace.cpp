@@ -1,4 +1,4 @@
-#include <libhair/hair_mesh/trace.h>
+#include <libhair/hair_mesh/grow.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +16,9 @@ class Spline {
  public:
   void clear() { knots_.clear(); }
   void add(glm::vec3 p) {
-    // What is closer than this has no direction in single precision.
+    // Points closer than this have no direction in single precision.
     if (!knots_.empty() && glm::distance(knots_.back().p, p) < 1e-7f) {
-      // The tip stays where it is; the root comes first.
+      // Keep the newer point, so that the tip is exact, but never replace the root.
       if (knots_.size() > 1) knots_.back().p = p;
       return;
     }
@@ -38,8 +38,8 @@ class Spline {
         const glm::vec3 p = at(i, static_cast<float>(c) / kChords);
         chords_.push_back({p, chords_.back().length + glm::distance(chords_.back().end, p)});
       }
-    // Along the chord that holds a point, its parameter by linear interpolation, corrected for
-    // how far that came: the speed changes along it.
+    // Interpolate the parameter of a point linearly along its chord, then correct it by the length
+    // that this reaches, as the speed changes along the chord.
     std::size_t c = 0;
     const auto last = static_cast<float>(points.size() - 1);
     for (std::size_t k = 1; k + 1 < points.size(); ++k) {

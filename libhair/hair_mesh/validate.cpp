@@ -10,8 +10,7 @@ namespace hair {
 
 namespace {
 
-// Each check returns the first thing that breaks it, or nothing; a later one relies on those
-// before.
+// Each check returns its first violation, or nothing; a check relies on the checks before it.
 
 std::string wrongBundleArrays(const HairMesh& mesh) {
   const std::size_t bundles = mesh.bundleCount();
@@ -115,7 +114,7 @@ std::string wrongVertices(const HairMesh& mesh, std::size_t k) {
   return text("layer ", k, ", vertex ", unused - used.begin(), ": no face uses it");
 }
 
-// Why `surface`, a manifold, cannot take the face.
+// Why `surface` with this face would not be a manifold; empty if it would be one.
 std::string whyRefused(const OpenPolyMesh& surface,
                        const std::vector<OpenPolyMesh::VertexHandle>& face) {
   for (std::size_t i = 0; i < face.size(); ++i) {

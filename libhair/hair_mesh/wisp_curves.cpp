@@ -1,4 +1,4 @@
-#include <libhair/hair_mesh/wisp_curves.h>
+#include <libhair/hair_mesh/mesh_groom.h>
 
 #include <algorithm>
 #include <cmath>

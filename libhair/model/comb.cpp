@@ -6,6 +6,7 @@
 #include <libhair/core/random.h>
 #include <libhair/geometry/colliders.h>
 #include <libhair/model/comb.h>
+#include <libhair/model/scalp_roots.h>
 
 namespace hair {
 namespace {
@@ -113,19 +114,19 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
     const float clearance =
         std::min(0.0035f, 0.5f * s) + settings.volume * lie * (1 - std::exp(-s / 0.09f));
     glm::vec3 wanted = combDirection(parting, p, n, here.w);
-    // Hold it to the head where the head is below it, as gravity and the hair above do.
+    // Pull it to the head where the head is below it, as gravity and the hair above do.
     const float held = glm::smoothstep(0.0f, 0.3f, n.y);
     wanted -= std::clamp((here.w - clearance) / 0.02f, -1.0f, 1.0f) * held * n;
     const glm::vec3 side = glm::cross(direction, n);
     wanted += settings.waviness * std::sin(2 * kPi * s / wave + phase) *
               glm::smoothstep(0.03f, 0.12f, s) * side;
-    // Below the jaw it gathers around the neck.
+    // Gather it around the neck below the jaw.
     const glm::vec3 inwards(-p.x, 0, -0.03f - p.z);
     const float gather =
         (1 - glm::smoothstep(0.0f, 0.09f, p.y)) * glm::smoothstep(-0.16f, -0.08f, p.y);
     wanted += 1.7f * (1 - settings.partAtShoulders) * gather *
               glm::smoothstep(0.0f, 0.05f, here.w - clearance) * inwards;
-    // At the shoulders it parts, to fall before or behind them.
+    // Lead it in front of the shoulders or behind them.
     const float low = 1 - glm::smoothstep(-0.22f, -0.13f, p.y);
     const float parts = settings.partAtShoulders * (1 - glm::smoothstep(-0.06f, 0.04f, p.y));
     const float toGo =
@@ -140,7 +141,7 @@ Growth grow(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 roo
     }
     direction = glm::normalize(glm::mix(direction, glm::normalize(wanted), kStep / 0.012f));
     p += kStep * direction;
-    // Keep it outside, by a clearance that grows with each step, so that no kink shows.
+    // Keep it outside, by a clearance that grows with each step, so that it has no kink.
     for (int repeat = 0; repeat < 2; ++repeat) {
       const glm::vec4 now = bodyDistance(headSdf, p);
       if (now.w < clearance) {
@@ -202,7 +203,7 @@ void equalLinks(std::span<const glm::vec3> dense, std::span<glm::vec3> points) {
 
 void combGuide(const StyleSettings& settings, const MeshSdf& headSdf, glm::vec3 root,
                glm::vec3 centre, std::uint32_t wisp, std::span<glm::vec3> guide) {
-  // Once to find how long it is, once more with its tip turned in.
+  // Grow it once for its length, and once more with its tip turned in.
   const float length = grow(settings, headSdf, root, centre, wisp, INFINITY).length;
   equalLinks(grow(settings, headSdf, root, centre, wisp, length).points, guide);
 }

@@ -9,8 +9,8 @@
 namespace hair {
 
 /// Resamples a strand evenly in the parameter of the Catmull-Rom curve through `all` its points:
-/// root and tip are kept, bit for bit, and with as many points as before, all are. At least 2 of
-/// both. (Linear interpolation would make hair around a head shrink.)
+/// keeps root and tip bit for bit, and all points where their number does not change. At least 2
+/// points of both. (Linear interpolation would make hair around a head shrink.)
 inline void takePoints(std::span<const glm::vec3> all, std::span<glm::vec3> some) {
   const std::size_t last = all.size() - 1, most = some.size() - 1;
   for (std::size_t j = 0; j <= most; ++j) {

@@ -121,7 +121,7 @@ void fillWisps(const StyleSettings& settings, const MeshSdf* headSdf, std::uint3
           guidesPerWisp == 3 ? glm::uvec3(0, 1, 2) + 3 * wisps[s] : glm::uvec3(wisps[s]);
       glm::vec3 w = wispWeights(roots[s], {groom.guide(parents.x)[0], groom.guide(parents.y)[0],
                                            groom.guide(parents.z)[0]});
-      // The main guide is the one of most weight.
+      // Make the guide of most weight the main one.
       if (w.y > w.x) std::swap(w.x, w.y), std::swap(parents.x, parents.y);
       if (w.z > w.x) std::swap(w.x, w.z), std::swap(parents.x, parents.z);
       if (parted[wisps[s]]) w = glm::vec3(1, 0, 0);

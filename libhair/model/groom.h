@@ -7,13 +7,12 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
-#include <libhair/core/fibre.h>
 #include <libhair/core/strands.h>
 
 namespace HAIR_API hair {
 
-/// Points of a guide, at the most: what the scratch of its solver holds on the stack, in the
-/// first-level cache.
+/// Largest number of points of a guide. The solver's scratch for it is on the stack, and fits into
+/// the first-level cache.
 inline constexpr std::uint32_t kMaxGuidePoints = 64;
 
 /// A hairstyle at rest: guide strands, which are simulated, and how drawn strands follow them

@@ -26,8 +26,8 @@ inline glm::vec3 catmullRom(std::span<const glm::vec3> p, std::size_t i, float t
 }
 
 /// A guide at rest as a curve: `curve.size()` samples of catmullRom evenly in the parameter, root
-/// and tip included. What drawn strands are made of (Groom); this is the plain form of it, for one
-/// guide, that grooms are baked with.
+/// and tip included. Drawn strands are sums of these (Groom); this is the scalar form, for one
+/// guide, with which grooms are made.
 inline void sampleGuide(std::span<const glm::vec3> guide, std::span<glm::vec3> curve) {
   const std::size_t n = guide.size(), samples = curve.size();
   for (std::size_t k = 0; k < samples; ++k) {

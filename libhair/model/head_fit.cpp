@@ -5,7 +5,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/strands.h>
 #include <libhair/geometry/mesh_sdf.h>
-#include <libhair/model/head_fit.h>
+#include <libhair/model/head.h>
 
 namespace hair {
 namespace {

@@ -101,14 +101,7 @@ std::uint32_t LevelOfDetail::segmentsOf(std::uint32_t segments, float moment) co
 }
 
 void validate(const LevelOfDetail& level) {
-  const auto share = [](float value, const char* field) {
-    require(value > 0 && value <= 1, "level of detail: ", field, " = ", value, " is not in (0, 1]");
-  };
-  share(level.strands, "strands");
-  share(level.fade, "fade");
-  share(level.points, "points");
-  require(level.cellSize >= 0 && level.cellSize <= 1e6f,
-          "level of detail: cellSize = ", level.cellSize, " m is not in 0 to 1e6");
+  validateFields(level, "level of detail");
 }
 
 GroomDetail::GroomDetail(const Groom& groom) : fibreWidth(groom.fibre.width) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/core/strands.h>
 #include <libhair/model/groom.h>
 
@@ -36,6 +37,14 @@ struct LevelOfDetail {
   /// In every field.
   bool operator==(const LevelOfDetail&) const = default;
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const LevelOfDetail*) {
+  using S = LevelOfDetail;
+  return std::tuple(Field("strands", &S::strands, "(0, 1]"), Field("fade", &S::fade, "(0, 1]"),
+                    Field("points", &S::points, "(0, 1]"),
+                    Field("cellSize", &S::cellSize, "[0, 1e6] m"));
+}
 
 /// Throws Error, with the field, for a level out of range.
 void validate(const LevelOfDetail& level);
@@ -75,6 +84,15 @@ struct DetailSettings {
   float pixelsPerCell = 3;     ///< least size of a cell of a shadow map, pixels
   float fade = 0.25f;          ///< LevelOfDetail::fade
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const DetailSettings*) {
+  using S = DetailSettings;
+  return std::tuple(Field("strandsPerPixel", &S::strandsPerPixel, "(0, inf)"),
+                    Field("pixelsOff", &S::pixelsOff, "(0, inf)"),
+                    Field("pixelsPerCell", &S::pixelsPerCell, "(0, inf)"),
+                    Field("fade", &S::fade, "(0, 1]"));
+}
 
 /// Height of a head in a picture, pixels: at `distance` metres, in a picture of `pictureHeight`
 /// pixels and the vertical angle `fieldOfView` (radians). Throws Error for numbers that are not

@@ -14,7 +14,7 @@ LoadedStrands loadStrands(const std::filesystem::path& file, const LoadOptions& 
   const std::size_t read = strands.strandCount();
   loaded.notes.push_back(text(file.filename().string(), ": ", read, " strands, ",
                               strands.pointCount(), " points; ", loaded.file.scale,
-                              " m a unit, up axis ", upAxisText(loaded.file.up)));
+                              " m a unit, up axis ", wordOf(loaded.file.up)));
   const std::vector<std::string>& said = loaded.file.notes;
   loaded.notes.insert(loaded.notes.end(), said.begin(), said.end());
   const std::vector<std::uint32_t> sound = soundStrands(strands);

@@ -8,7 +8,7 @@
 #include <libhair/core/error.h>
 #include <libhair/geometry/mesh_parts.h>
 #include <libhair/geometry/triangle_distance.h>
-#include <libhair/model/head_fit.h>
+#include <libhair/model/head.h>
 #include <libhair/model/head_units.h>
 
 namespace hair {
@@ -57,7 +57,7 @@ ReadOptions unitsOf(const TriangleMesh& mesh, const HairOnHead& hair, const Read
   const std::string found = text("head: read as ", unitsWords(asHair), ", its surface is ",
                                  millimetres(distance), " from the hair's roots (median)");
   require(fittingDistance > kRootsOnHead, found, "; it would be ", millimetres(fittingDistance),
-          " with --head-scale ", fitting.scale, " --head-up ", upAxisText(fitting.up));
+          " with --head-scale ", fitting.scale, " --head-up ", wordOf(fitting.up));
   require(distance < 0.1f, found, ", and no unit and axis brings it nearer than ",
           millimetres(fittingDistance),
           ": is it the head of this hair? Without --head the built-in one is scaled to it");

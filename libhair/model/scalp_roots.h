@@ -6,17 +6,9 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
-#include <libhair/geometry/mesh_sdf.h>
+#include <libhair/model/styles.h>
 
-namespace HAIR_API hair {
-
-/// Where hair parts: a line over the top of the built-in head, from the front hairline back to
-/// the whorl, from which hair falls to all sides. Metres, head space.
-struct Parting {
-  float x = 0.016f;       ///< right or left of the nose
-  float whorlZ = -0.03f;  ///< where the line ends
-};
+namespace hair {
 
 /// Horizontal unit vector that points away from the parting at p; (±1, 0, 0) beside its line.
 glm::vec3 awayFromParting(const Parting& parting, glm::vec3 p);

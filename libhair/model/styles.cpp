@@ -9,6 +9,7 @@
 #include <libhair/core/transform.h>
 #include <libhair/model/comb.h>
 #include <libhair/model/fill_wisps.h>
+#include <libhair/model/scalp_roots.h>
 #include <libhair/model/styles.h>
 
 namespace hair {
@@ -59,16 +60,11 @@ StyleSettings styleSettings(Style style) {
 }
 
 Groom makeGroom(const StyleSettings& settings, const MeshSdf& headSdf) {
-  require(settings.wisps >= 1 && settings.strands >= settings.wisps, "style: ", settings.strands,
-          " strands cannot fill ", settings.wisps, " wisps; draw more strands or take fewer wisps");
-  require(settings.points >= 2, "style: a strand needs at least 2 points, not ", settings.points);
-  require(settings.pointsPerGuide >= 3, "style: a guide needs at least 3 points, not ",
-          settings.pointsPerGuide);
-  require(settings.hairs > 0 && settings.hairs < 1e9f, "style: ", settings.hairs,
-          " hairs; a head has about 100,000");
-  require(settings.minLength > 0 && settings.maxLength >= settings.minLength,
-          "style: lengths from ", settings.minLength, " m to ", settings.maxLength,
-          " m; take 0 < minLength <= maxLength");
+  validateFields(settings, "style");
+  require(settings.strands >= settings.wisps, "style: ", settings.strands, " strands cannot fill ",
+          settings.wisps, " wisps; draw more strands or take fewer wisps");
+  require(settings.maxLength >= settings.minLength, "style: lengths from ", settings.minLength,
+          " m to ", settings.maxLength, " m; take minLength <= maxLength");
 
   // Roots, and which wisp each belongs to.
   const auto roots = scalpRoots(headSdf, settings.strands, settings.seed);

@@ -3,10 +3,10 @@
 #include <cstdint>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/geometry/mesh_sdf.h>
 #include <libhair/model/groom.h>
 #include <libhair/model/head.h>
-#include <libhair/model/scalp_roots.h>
 
 namespace HAIR_API hair {
 
@@ -16,6 +16,24 @@ enum class Style : std::uint8_t {
   Curly,   ///< the same wisps, wound into locks
   Long,    ///< smooth, to the waist
 };
+/// Words for them (core/fields.h).
+constexpr auto wordsOf(Style) {
+  return std::array{Word("smooth", Style::Smooth), Word("curly", Style::Curly),
+                    Word("long", Style::Long)};
+}
+
+/// The parting: a line over the top of the built-in head, from the front hairline back to the
+/// whorl; hair falls away from it on all sides. Metres, head space.
+struct Parting {
+  float x = 0.016f;       ///< right or left of the nose
+  float whorlZ = -0.03f;  ///< where the line ends
+};
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const Parting*) {
+  using S = Parting;
+  return std::tuple(Field("x", &S::x, "[-1, 1] m"), Field("whorlZ", &S::whorlZ, "[-1, 1] m"));
+}
 
 /// How a hairstyle is grown on the built-in head. Lengths in metres. `styleSettings` gives the
 /// values of each style; the defaults here are those of Style::Smooth.
@@ -58,7 +76,34 @@ struct StyleSettings {
   float wholeDeviation = 0.006f;  ///< metres, about the most
 };
 
-/// What each style is made with.
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const StyleSettings*) {
+  using S = StyleSettings;
+  return std::tuple(
+      Field("strands", &S::strands, "[1, inf)"), Field("points", &S::points, "[2, inf)"),
+      Field("wisps", &S::wisps, "[1, inf)"),
+      Field("pointsPerGuide", &S::pointsPerGuide, "[3, inf)"), Field("seed", &S::seed),
+      Field("hairs", &S::hairs, "(0, 1e9)"),
+      Field("cutHeightFront", &S::cutHeightFront, "[-100, 100] m"),
+      Field("cutHeightBack", &S::cutHeightBack, "[-100, 100] m"),
+      Field("minLength", &S::minLength, "(0, 100] m"),
+      Field("maxLength", &S::maxLength, "(0, 100] m"),
+      Field("lengthVariation", &S::lengthVariation, "[0, 1)"), Field("parting", &S::parting),
+      Field("partingJitter", &S::partingJitter, "[0, 100] m"),
+      Field("partAtShoulders", &S::partAtShoulders, "[0, 1]"),
+      Field("volume", &S::volume, "[0, 100] m"), Field("rootLift", &S::rootLift, "[0, 1]"),
+      Field("waviness", &S::waviness, "[0, 10] radians"), Field("turnIn", &S::turnIn, "[0, 1]"),
+      Field("clump", &S::clump, "[0, 1]"), Field("clumpBy", &S::clumpBy, "(0, 1]"),
+      Field("spread", &S::spread, "[0, 1]"), Field("curlRadius", &S::curlRadius, "[0, 100] m"),
+      Field("curlPitch", &S::curlPitch, "(0, 100] m"),
+      Field("curlJitter", &S::curlJitter, "[0, 100] radians"),
+      Field("tipShare", &S::tipShare, "[0, 1]"),
+      Field("tipDeviation", &S::tipDeviation, "[0, 100] m"),
+      Field("wholeShare", &S::wholeShare, "[0, 1]"),
+      Field("wholeDeviation", &S::wholeDeviation, "[0, 100] m"));
+}
+
+/// The settings of each style.
 StyleSettings styleSettings(Style style);
 
 /// Grows a hairstyle on the built-in head, whose distance field is `headSdf` (cells of 4 mm do).

@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/core/transform.h>
-#include <libhair/motion/skeleton.h>
+#include <libhair/motion/motion.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Which joint is which part of a human body; -1: not found. Sides: 0 left, 1 right.
 struct BodyMap {

@@ -9,9 +9,10 @@
 #include <libhair/core/api.h>
 #include <libhair/core/transform.h>
 #include <libhair/geometry/triangle_mesh.h>
-#include <libhair/motion/body.h>
 
 namespace HAIR_API hair {
+
+struct Body;
 
 /// A tailor's dummy around a skeleton, to be drawn: trunk with neck, arms, legs as closed surfaces
 /// that overlap; no head. Skinned linearly by up to four joints a vertex. A skeleton that is not

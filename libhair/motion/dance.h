@@ -1,9 +1,8 @@
 #pragma once
 
-#include <libhair/core/api.h>
-#include <libhair/motion/skeleton.h>
+#include <libhair/motion/motion.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// The skeleton of the built-in dancer: a woman of 1.68 m, zero pose a T that faces +Z.
 Skeleton dancerSkeleton();

@@ -10,16 +10,16 @@
 
 namespace hair::score {
 
-constexpr std::size_t kFrames = 1800;  ///< of one round of the dance, 120 a second
+constexpr std::size_t kFrames = 1800;  ///< of one loop of the dance, 120 a second
 
-using Curve = std::vector<float>;  ///< [kFrames], one round
+using Curve = std::vector<float>;  ///< [kFrames], one loop
 
 inline double beatOf(std::size_t frame) {
   return static_cast<double>(frame) * kBeats / kFrames;
 }
 
-/// Monotone cubic through the keys (Fritsch and Carlson 1980, harmonic mean of slopes), round and
-/// round; each round adds `gain`.
+/// Monotone cubic through the keys (Fritsch and Carlson 1980, harmonic mean of slopes), periodic;
+/// each loop adds `gain`.
 template <class Keys, class Value>
 Curve throughKeys(const Keys& keys, const Value& value, float gain) {
   if (keys.empty()) return Curve(kFrames);
@@ -49,7 +49,7 @@ Curve throughKeys(const Keys& keys, const Value& value, float gain) {
   return curve;
 }
 
-/// Mean over ±`reach` frames, weights (1 + cos), round and round.
+/// Mean over ±`reach` frames, weights (1 + cos), periodic; each loop adds `gain`.
 inline Curve smoothed(const Curve& in, float gain = 0.0f, int reach = 11) {
   Curve out(kFrames);
   for (std::size_t f = 0; f < kFrames; ++f) {

@@ -3,13 +3,14 @@
 namespace hair::score {
 namespace {
 
+// Keyframes of each degree of freedom. The dance, in beats:
 // A  0-8   step-touch to both sides, nods on the beat
 // B  8-11  right foot crosses over, half turn to the back
 // C 11-15  facing back: hips, a roll of the head, a shake
 // D 15-19  wind-up, one and a half turns on the left foot, follow-through
 // E 19-23  hair flip: down, up and over
 // F 23-27  leans to both sides, arms overhead, quick looks
-// G 27-32  a bow, and back to where it began
+// G 27-32  a bow, and back to the first pose
 
 constexpr Key kX[] = {{0, -.03f},     {.7f, -.21f},   {1.7f, -.24f}, {2.7f, .02f},   {3.7f, .06f},
                       {4.7f, -.2f},   {5.7f, -.22f},  {6.7f, .02f},  {7.7f, .06f},   {8.7f, .16f},

@@ -6,8 +6,8 @@
 
 namespace hair::score {
 
-/// The built-in dance, written down. Time in beats, kBeats of them in kSeconds; angles in degrees,
-/// lengths in metres. Floor: x to the dancer's left at the start, z to the front.
+/// The keyframes of the built-in dance. Time in beats, kBeats of them in kSeconds; angles in
+/// degrees, lengths in metres. Floor: x to the dancer's left at the start, z to the front.
 constexpr double kSeconds = 15.0;
 constexpr double kBeats = 32.0;  ///< 128 beats a minute
 
@@ -38,7 +38,7 @@ struct Score {
   std::span<const Key> x, z, drop, heading;  ///< heading: turns of the whole body, to the left
   std::span<const Key> bounce;               ///< how much of the beat's bounce, 0 to 1
   std::span<const Key> hipPitch, hipRoll;    ///< forward, to the right
-  // Trunk, shared out over the spine; then neck and head
+  // Trunk, distributed over the spine; then neck and head
   std::span<const Key> bend, lean, twist;  ///< forward, to the right, to the left
   std::span<const Key> nod, tilt, turn;    ///< forward, to the right, to the left
   std::span<const Plant> feet[2];

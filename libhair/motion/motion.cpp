@@ -5,7 +5,9 @@
 #include <utility>
 
 #include <libhair/core/error.h>
+#include <libhair/motion/body.h>
 #include <libhair/motion/body_colliders.h>
+#include <libhair/motion/clip_filter.h>
 #include <libhair/motion/dance.h>
 #include <libhair/motion/head_motion.h>
 
@@ -31,9 +33,9 @@ Motion::Motion(Clip clip, const MotionSettings& settings) {
   clip_ = droppedFrames_ == 0 && last == clip.frameCount() ? std::move(clip)
                                                            : trim(clip, droppedFrames_, last);
   if (settings.removeFlips) flips_ = hair::removeFlips(clip_, settings.flips);
-  body_ = makeBody(clip_);
+  body_ = std::make_shared<const Body>(makeBody(clip_));
 
-  if (body_.capsules.empty()) return;
+  if (body_->capsules.empty()) return;
   BodyPose at;
   std::vector<float> lowest;
   const std::size_t step = clip_.frameCount() / 300 + 1;
@@ -67,11 +69,15 @@ BodyPose Motion::pose(double seconds) const {
 void Motion::pose(double seconds, BodyPose& out) const {
   if (loop_ && duration() > 0) seconds -= std::floor(seconds / duration()) * duration();
   out.worldFromJoint.resize(clip_.skeleton.jointCount());
-  out.capsules.resize(body_.capsules.size());
+  out.capsules.resize(body_->capsules.size());
   poseAtTime(clip_, seconds, out.worldFromJoint);
-  out.worldFromHead = worldFromHead(body_, out.worldFromJoint);
-  placeCapsules(body_, out.worldFromJoint, out.capsules);
-  makeRoomForHair(body_, out.worldFromHead, out.capsules);
+  out.worldFromHead = worldFromHead(*body_, out.worldFromJoint);
+  placeCapsules(*body_, out.worldFromJoint, out.capsules);
+  makeRoomForHair(*body_, out.worldFromHead, out.capsules);
+}
+
+std::span<const std::string> Motion::notes() const {
+  return body_->notes;
 }
 
 }  // namespace hair

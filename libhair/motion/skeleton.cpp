@@ -1,4 +1,4 @@
-#include <libhair/motion/skeleton.h>
+#include <libhair/motion/motion.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/error.h>
+#include <libhair/core/fields.h>
 
 namespace HAIR_API hair {
 
@@ -45,17 +46,11 @@ struct Wind {
   float gust = 0.5f;        ///< amplitude of the gusts, as a fraction of the speed, [0, 1]
   float gustLength = 0.5f;  ///< length of the longest gusts over 2 pi, metres, [1e-3, 1e6)
   /// Attenuation of the wind by hair, metres, [0, 1]: behind a column density of d metres of hair
-  /// per square metre across the wind, the fraction exp(-shelter · d) of it is left. Real hair:
+  /// per square metre across the wind, the fraction exp(-occlusion · d) of it is left. Real hair:
   /// half its width times its drag coefficient, about 1e-4; 0: none, at no cost. Uses the density
-  /// of self-collision; without that there is no shelter.
-  float shelter = 0;
+  /// of self-collision; without that there is none.
+  float occlusion = 0;
 
-  /// Speed below 200 m/s, gust and shelter in [0, 1], gustLength in [1e-3, 1e6); false for anything
-  /// that is not finite.
-  bool valid() const {
-    return glm::dot(velocity, velocity) < 4e4f && gust >= 0 && gust <= 1 && gustLength >= 1e-3f &&
-           gustLength < 1e6f && shelter >= 0 && shelter <= 1;
-  }
   /// No wind.
   bool still() const { return velocity == glm::vec3(0); }
 
@@ -83,12 +78,18 @@ struct Wind {
   }
 };
 
-/// Throws Error for a wind that is not valid().
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const Wind*) {
+  using S = Wind;
+  return std::tuple(Field("velocity", &S::velocity, "[0, 200) m/s"),
+                    Field("gust", &S::gust, "[0, 1]"),
+                    Field("gustLength", &S::gustLength, "[1e-3, 1e6) m"),
+                    Field("occlusion", &S::occlusion, "[0, 1] m"));
+}
+
+/// Throws Error that names the field and its range.
 inline void validate(const Wind& wind) {
-  require(wind.valid(), "wind: (", wind.velocity.x, ", ", wind.velocity.y, ", ", wind.velocity.z,
-          ") m/s, gusts of ", wind.gust, " every ", wind.gustLength, " m or a shelter of ",
-          wind.shelter, " is out of range: speed below 200 m/s, gust and shelter in [0, 1], ",
-          "gustLength in [1e-3, 1e6) m");
+  validateFields(wind, "wind");
 }
 
 }  // namespace hair

@@ -2,11 +2,10 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
 #include <libhair/density/density_grid.h>
 #include <libhair/repulsion/repulsion.h>
 
-namespace HAIR_API hair {
+namespace hair {
 namespace literal {
 
 /// Scalar reference for repel at one point: the push, m/s², of Bertails et al. 2005, section 4.1

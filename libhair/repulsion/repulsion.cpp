@@ -14,21 +14,22 @@ class DensityLookup {
  public:
   HWY_INLINE explicit DensityLookup(const DensityGrid& grid)
       : grid_(grid),
+        frame_(grid.cells->frame),
         codes_(grid),
-        slots_(grid.bricks.slots(0)),
-        counts_(grid.bricks.cells(0)),
+        slots_(grid.cells->bricks.slots(0)),
+        counts_(grid.cells->bricks.cells(0)),
         perCount_(grid.quantum /
                   (grid.settings.cellSize * grid.settings.cellSize * grid.settings.cellSize)) {}
 
   // Direction of the push, of length <= 1, and the density.
   HWY_INLINE void push(RepulsionKind kind, const Vec3& p, Vec3& direction, Floats& density) const {
     if (kind == RepulsionKind::CellCentre) {
-      const Cell c = cellOf(cellCoordinates(grid_.frame, p));
+      const Cell c = cellOf(cellCoordinates(frame_, p));
       density = densitiesOf(c, 0, 0).first;
       const Floats half = 0.5f;
       const Vec3 inFrame =
-          Vec3(c.whole.x + half, c.whole.y + half, c.whole.z + half) - Vec3(grid_.frame.fraction);
-      const Vec3 out = p - (Vec3(grid_.frame.anchor) + rotate(grid_.frame.worldFromCell, inFrame));
+          Vec3(c.whole.x + half, c.whole.y + half, c.whole.z + half) - Vec3(frame_.fraction);
+      const Vec3 out = p - (Vec3(frame_.anchor) + rotate(frame_.worldFromCell, inFrame));
       const Floats l = length(out);
       direction = select(l > Floats(0.0f), (Floats(1.0f) / l) * out, Vec3(glm::vec3(0)));
       return;
@@ -48,7 +49,7 @@ class DensityLookup {
 
   // sampleDensity.
   HWY_INLINE void sample(const Vec3& p, Floats& density, Vec3& gradient) const {
-    const Vec3 u = cellCoordinates(grid_.frame, p) - Vec3(glm::vec3(0.5f));
+    const Vec3 u = cellCoordinates(frame_, p) - Vec3(glm::vec3(0.5f));
     const Cell c = cellOf(u);
     const Vec3 f = u - c.whole, g = Vec3(glm::vec3(1)) - f;
     // Along z, then y, then x; a derivative replaces the mean of two values by their difference.
@@ -65,7 +66,7 @@ class DensityLookup {
                        acrossZ[0] * g.x + acrossZ[1] * f.x);
     density = alongY[0] * g.x + alongY[1] * f.x;
     // d/dworld = (dcell/dworld)^T d/dcell.
-    gradient = rotate(glm::transpose(grid_.frame.cellFromWorld), perCell);
+    gradient = rotate(glm::transpose(frame_.cellFromWorld), perCell);
   }
 
  private:
@@ -114,6 +115,7 @@ class DensityLookup {
 
   static_assert(brick::kCells == 256);
   const DensityGrid& grid_;
+  const CellFrame& frame_;
   CellCodes codes_;
   const std::uint32_t* slots_;
   const std::uint32_t* counts_;
@@ -147,10 +149,10 @@ void pushes(const DensityGrid& grid, const RepulsionSettings& settings, const La
 
 // Attenuation of the wind at `count` · 16 points. `step`: upwind vector whose largest component is
 // one cell.
-void sheltered(const DensityGrid& grid, float shelter, const glm::vec3& step,
-               const LaneVec3* points, std::size_t count, Lanes* out) {
+void attenuateWind(const DensityGrid& grid, float occlusion, const glm::vec3& step,
+                   const LaneVec3* points, std::size_t count, Lanes* out) {
   const DensityLookup lookup(grid);
-  const Floats perDensity = shelter * glm::length(step);
+  const Floats perDensity = occlusion * glm::length(step);
   for (std::size_t at = 0; at < count; ++at) {
     const Vec3 p = points[at];
     Floats sum = 0.0f;
@@ -179,7 +181,7 @@ HWY_AFTER_NAMESPACE();
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/state_hash.h>
-#include <libhair/density/deposit.h>
+#include <libhair/density/density_grid.h>
 
 namespace hair {
 
@@ -187,7 +189,7 @@ namespace {
 
 HWY_EXPORT(densities);
 HWY_EXPORT(pushes);
-HWY_EXPORT(sheltered);
+HWY_EXPORT(attenuateWind);
 
 // Skip an empty grid: it may have no memory.
 void lookUp(const DensityGrid& grid, RepulsionKind kind, std::span<const LaneVec3> points,
@@ -205,17 +207,7 @@ void push(const DensityGrid& grid, const RepulsionSettings& settings,
 }  // namespace
 
 void validate(const RepulsionSettings& s) {
-  const auto field = [](bool good, const char* name, auto value, const char* range) {
-    require(good, "repulsion settings: ", name, " = ", value, " is not in ", range);
-  };
-  field(s.cells >= 2 && s.cells <= 1024, "cells", s.cells, "[2, 1024]");
-  field(s.cellSize >= 1e-6f && s.cellSize <= 1e6f, "cellSize", s.cellSize, "[1e-6, 1e6] m");
-  field(s.strandStride >= 1, "strandStride", s.strandStride, "[1, ...)");
-  field(s.threshold >= 0 && s.threshold < 1e30f, "threshold", s.threshold, "[0, 1e30) m/m^3");
-  field(s.tolerance >= 1 && s.tolerance < 1e6f, "tolerance", s.tolerance, "[1, 1e6)");
-  field(s.strength >= 0 && s.strength < 1e6f, "strength", s.strength, "[0, 1e6) m/s^2");
-  field(s.limit >= 0 && s.limit < 1e12f, "limit", s.limit, "[0, 1e12) m/s^2");
-  field(s.interval > 0 && s.interval <= 1, "interval", s.interval, "(0, 1] s");
+  validateFields(s, "repulsion settings");
 }
 
 int repelPasses(float seconds, const RepulsionSettings& settings, Repulsion& repulsion) {
@@ -292,17 +284,17 @@ void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repuls
   repulsion.turn = 1 - turn;
 }
 
-void shelter(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion) {
+void occludeWind(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion) {
   validate(wind);
   const std::size_t points = guides.position.size();
   repulsion.windShare.assign(points, lanes(1));
-  if (wind.still() || wind.shelter == 0 || repulsion.density.empty()) return;
+  if (wind.still() || wind.occlusion == 0 || repulsion.density.empty()) return;
   const glm::vec3 size = glm::abs(wind.velocity);
   const glm::vec3 step = -repulsion.density.settings.cellSize /
                          glm::max(size.x, glm::max(size.y, size.z)) * wind.velocity;
-  const auto fill = HWY_DYNAMIC_DISPATCH(sheltered);
+  const auto fill = HWY_DYNAMIC_DISPATCH(attenuateWind);
   parallelFor(points, 64, [&](std::size_t begin, std::size_t end) {
-    fill(repulsion.density, wind.shelter, step, &guides.position[begin], end - begin,
+    fill(repulsion.density, wind.occlusion, step, &guides.position[begin], end - begin,
          &repulsion.windShare[begin]);
   });
 }

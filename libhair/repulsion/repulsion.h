@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/core/lanes.h>
 #include <libhair/density/density_grid.h>
 #include <libhair/guides/guide_strands.h>
@@ -17,6 +18,11 @@ enum class RepulsionKind {
   CellCentre,  ///< away from the centre of the point's cell (Bertails et al. 2005, section 4.1)
   Gradient,    ///< down the density gradient (SIGGRAPH 2010 course, "Hair-hair interactions")
 };
+/// Words for them (core/fields.h).
+constexpr auto wordsOf(RepulsionKind) {
+  return std::array{Word("cell centre", RepulsionKind::CellCentre),
+                    Word("gradient", RepulsionKind::Gradient)};
+}
 
 /// Self-collision: hair denser than at rest is pushed apart.
 struct RepulsionSettings {
@@ -30,6 +36,18 @@ struct RepulsionSettings {
   float limit = 20;                 ///< m/s², upper bound of the push
   float interval = 1.0f / 60;       ///< seconds between calls of repel (repelPasses), (0, 1]
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const RepulsionSettings*) {
+  using S = RepulsionSettings;
+  return std::tuple(
+      Field("kind", &S::kind), Field("cellSize", &S::cellSize, "[1e-6, 1e6] m"),
+      Field("cells", &S::cells, "[2, 1024]"), Field("strandStride", &S::strandStride, "[1, inf)"),
+      Field("threshold", &S::threshold, "[0, 1e30) m/m^3"),
+      Field("tolerance", &S::tolerance, "[1, 1e6)"),
+      Field("strength", &S::strength, "[0, 1e6) m/s^2"),
+      Field("limit", &S::limit, "[0, 1e12) m/s^2"), Field("interval", &S::interval, "(0, 1] s"));
+}
 
 /// Throws Error that names the field and its range.
 void validate(const RepulsionSettings& settings);
@@ -72,9 +90,10 @@ void allowRestDensity(StrandView drawn, const Fibre& fibre, const GuideStrands& 
 /// no push, so repulsion cannot keep a groom from settling. Threads over groups.
 void repel(const GuideStrands& guides, const RepulsionSettings& settings, Repulsion& repulsion);
 
-/// Attenuation of the wind at each guide point by the hair upwind of it (Wind::shelter). Integrates
-/// density from one to five cells away; excludes the point's own cell, so that a lone strand across
-/// the wind is not attenuated. Threads over points. Throws Error for a wind that is not valid.
-void shelter(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion);
+/// Attenuation of the wind at each guide point by the hair upwind of it (Wind::occlusion).
+/// Integrates density from one to five cells away; excludes the point's own cell, so that a lone
+/// strand across the wind is not attenuated. Threads over points. Throws Error for a wind that is
+/// not valid.
+void occludeWind(const GuideStrands& guides, const Wind& wind, Repulsion& repulsion);
 
 }  // namespace hair

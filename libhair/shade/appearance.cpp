@@ -2,6 +2,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/shade/shaded_points.h>
 
 namespace hair {
 
@@ -23,7 +24,13 @@ void check(StrandView strands, const Illumination& illumination, const Appearanc
 }  // namespace
 
 void validate(const Appearance& appearance) {
-  std::visit([](const auto& model) { validate(model); }, appearance);
+  std::visit(
+      []<class Model>(const Model& model) {
+        // The model's own: one without would convert to Appearance, and come back here for ever.
+        constexpr void (*own)(const Model&) = &validate;
+        own(model);
+      },
+      appearance);
 }
 
 void shade(StrandView strands, std::size_t begin, std::size_t end, const Illumination& illumination,

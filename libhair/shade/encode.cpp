@@ -6,8 +6,8 @@
 #include <hwy/foreach_target.h>
 #include <libhair/core/simd-inl.h>
 
+#include <libhair/shade/appearance.h>
 #include <libhair/shade/encode-inl.h>
-#include <libhair/shade/encode.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {

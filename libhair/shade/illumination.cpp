@@ -1,7 +1,7 @@
-#include <libhair/shade/illumination.h>
+#include <libhair/shade/appearance.h>
 
 #include <libhair/core/error.h>
-#include <libhair/light/light_space.h>
+#include <libhair/light/light.h>
 
 namespace hair {
 

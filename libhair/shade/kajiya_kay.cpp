@@ -8,6 +8,7 @@
 
 #include <libhair/shade/encode-inl.h>
 #include <libhair/shade/kajiya_kay.h>
+#include <libhair/shade/shaded_points.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
@@ -206,6 +207,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include <libhair/core/error.h>
+#include <libhair/core/random.h>
 
 namespace hair {
 
@@ -216,23 +218,12 @@ HWY_EXPORT(shadeRange);
 }  // namespace
 
 void validate(const KajiyaKaySettings& s) {
-  const auto field = [](const char* name, float value, float least, float most) {
-    require(value >= least && value <= most, "appearance: ", name, " = ", value, " is not in ",
-            least, " to ", most);
-  };
-  for (int c = 0; c < 3; ++c) {
-    field("rootColour", s.rootColour[c], 0, 1e6f);
-    field("tipColour", s.tipColour[c], 0, 1e6f);
-  }
-  field("variation", s.variation, 0, 1);
-  field("ambient", s.ambient, 0, 1e6f);
-  field("diffuse", s.diffuse, 0, 1e6f);
-  field("specular", s.specular, 0, 1e6f);
-  field("secondSpecular", s.secondSpecular, 0, 1e6f);
-  field("exponent", s.exponent, 0, 1e6f);
-  field("secondExponent", s.secondExponent, 0, 1e6f);
-  field("firstShift", s.firstShift, -10, 10);
-  field("secondShift", s.secondShift, -10, 10);
+  validateFields(s, "appearance");
+}
+
+float KajiyaKaySettings::lightnessOf(std::uint32_t strand) const {
+  constexpr std::uint32_t kUse = 0x5aade;  // seed of this use of uniform()
+  return 1.0f + variation * (2.0f * uniform(strand, kUse) - 1.0f);
 }
 
 KajiyaKaySettings KajiyaKaySettings::plain() {

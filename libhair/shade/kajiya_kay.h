@@ -6,10 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <libhair/core/api.h>
-#include <libhair/core/random.h>
-#include <libhair/core/strands.h>
-#include <libhair/shade/illumination.h>
-#include <libhair/shade/shaded_points.h>
+#include <libhair/core/fields.h>
 
 namespace HAIR_API hair {
 
@@ -20,7 +17,7 @@ namespace HAIR_API hair {
 ///
 /// with E_l the light's colour; for a point light, times (distance of light and pivot / distance of
 /// light and point)², the latter clamped to at least 1 cm. Ambient light is white and independent
-/// of the lights. A strand of one point has no tangent and gets only the ambient term. literal.h
+/// of the lights. A strand of one point has no tangent and gets only the ambient term. literal.cpp
 /// has the full formula.
 struct KajiyaKaySettings {
   glm::vec3 rootColour{0.115f, 0.055f, 0.026f};  ///< at the root
@@ -41,19 +38,25 @@ struct KajiyaKaySettings {
   static KajiyaKaySettings plain();
 
   /// Factor of a strand's colours, deterministic: [1 - variation, 1 + variation].
-  float lightnessOf(std::uint32_t strand) const {
-    constexpr std::uint32_t kUse = 0x5aade;  // seed of this use of uniform()
-    return 1.0f + variation * (2.0f * uniform(strand, kUse) - 1.0f);
-  }
+  float lightnessOf(std::uint32_t strand) const;
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const KajiyaKaySettings*) {
+  using S = KajiyaKaySettings;
+  return std::tuple(
+      Field("rootColour", &S::rootColour, "[0, 1e6] each"),
+      Field("tipColour", &S::tipColour, "[0, 1e6] each"),
+      Field("variation", &S::variation, "[0, 1]"), Field("ambient", &S::ambient, "[0, 1e6]"),
+      Field("diffuse", &S::diffuse, "[0, 1e6]"), Field("specular", &S::specular, "[0, 1e6]"),
+      Field("exponent", &S::exponent, "[0, 1e6]"),
+      Field("secondSpecular", &S::secondSpecular, "[0, 1e6]"),
+      Field("secondExponent", &S::secondExponent, "[0, 1e6]"),
+      Field("firstShift", &S::firstShift, "[-10, 10] radians"),
+      Field("secondShift", &S::secondShift, "[-10, 10] radians"));
+}
 
 /// Throws Error that names the field and its range.
 void validate(const KajiyaKaySettings& settings);
-
-/// Strands begin to end - 1, on the calling thread, without checks; called by `shade`
-/// (appearance.h).
-void shadeStrands(StrandView strands, std::size_t begin, std::size_t end,
-                  const Illumination& illumination, const KajiyaKaySettings& settings,
-                  ShadedPoints out);
 
 }  // namespace hair

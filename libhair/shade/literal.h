@@ -4,12 +4,11 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
-#include <libhair/shade/illumination.h>
+#include <libhair/shade/appearance.h>
 #include <libhair/shade/kajiya_kay.h>
 
-namespace HAIR_API hair {
+namespace hair {
 namespace literal {
 
 /// Direct implementation of section 3.3 of Bertails et al. 2005, with the second highlight of

@@ -3,9 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include <libhair/core/api.h>
-
-namespace HAIR_API hair {
+namespace hair {
 
 /// Linear value to sRGB byte (IEC 61966-2-1), by a table indexed with the float's leading bits.
 /// Clamps to [0, 1]; within 0.65 of the exact value.

@@ -1,9 +1,10 @@
-#include <libhair/shadow/automatic.h>
+#include <libhair/shadow/density_map.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/density/cell_frame.h>
 
 namespace hair {
 

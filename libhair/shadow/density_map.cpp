@@ -4,16 +4,15 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/shadow/transmittances.h>
 
 namespace hair {
 
 void validate(const DensityMapSettings& s) {
-  validate(static_cast<const DensityGridSettings&>(s));
-  require(s.filter != Filter::Footprint || (s.footprint >= 0 && s.footprint <= 10 * s.cellSize),
-          "density map: footprint ", s.footprint, " m is not in 0 to 10 cells of ", s.cellSize,
+  validateFields(s, "density map");
+  require(s.filter != Filter::Footprint || s.footprint <= 10 * s.cellSize,
+          "density map: footprint ", s.footprint, " m is more than 10 cells of ", s.cellSize,
           " m; take larger cells");
-  require(s.pointExtinction >= 0 && std::isfinite(s.pointExtinction),
-          "density map: point extinction ", s.pointExtinction, " is negative or not finite");
 }
 
 DensityMapSettings settingsForFootprint(float footprint, float extentNeeded, int mostCells) {
@@ -29,11 +28,16 @@ DensityMapSettings settingsForFootprint(float footprint, float extentNeeded, int
   return settings;
 }
 
+DensityMap::DensityMap() : bricks(std::make_unique<LitBricks>()) {}
+DensityMap::~DensityMap() = default;
+DensityMap::DensityMap(DensityMap&&) noexcept = default;
+DensityMap& DensityMap::operator=(DensityMap&&) noexcept = default;
+
 std::size_t DensityMap::bytes() const {
   return grid.bytes() +
-         (grid.bricks.size() + 1) * Transmittances::kLayers * Transmittances::kLayer *
+         (grid.brickCount() + 1) * Transmittances::kLayers * Transmittances::kLayer *
              sizeof(float) +
-         lightIn.size() * sizeof(lightIn[0]);
+         bricks->lightIn.size() * sizeof(bricks->lightIn[0]);
 }
 
 void clear(DensityMap& map, const DensityMapSettings& settings, const LightSpace& light) {

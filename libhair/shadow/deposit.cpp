@@ -1,9 +1,10 @@
-#include <libhair/shadow/deposit.h>
+#include <libhair/shadow/density_map.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/density/grid_cells.h>
 #include <libhair/shadow/extinction.h>
 
 namespace hair {
@@ -25,7 +26,7 @@ float depthOfPoint(StrandView strands, std::uint32_t stride, const Fibre& fibre,
 
 void deposit(const DrawnHair& hair, DensityMap& map, std::uint32_t strandStride) {
   const Fibre& fibre = hair.fibre;
-  require(map.grid.bricks.valid(), "deposit: clear() the density map first");
+  require(map.grid.cells->bricks.valid(), "deposit: clear() the density map first");
   require(fibre.width >= 0 && fibre.opacity >= 0 && fibre.hairsPerStrand >= 0 &&
               std::isfinite(fibre.width * fibre.opacity * fibre.hairsPerStrand),
           "deposit: fibre width ", fibre.width, " m, opacity ", fibre.opacity, " or ",

@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <libhair/core/api.h>
-#include <libhair/core/fibre.h>
+#include <libhair/core/strands.h>
+#include <libhair/shadow/methods/shadow_method.h>
 
-namespace HAIR_API hair {
-
-/// Extinction of light by a fibre.
-enum class Extinction {
-  Unbiased,   ///< the mean over the cell, of which the fibre covers a part
-  Published,  ///< -ln(1 - opacity), as in the papers: too dark, because fibres do not fill cells
-};
+namespace hair {
 
 /// Optical depth of a cell covered exactly once by fibres side by side; for a covered fraction c,
 /// multiply by c.

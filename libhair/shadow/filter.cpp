@@ -20,8 +20,9 @@
 #include <hwy/foreach_target.h>
 
 #include <libhair/density/cells-inl.h>
-#include <libhair/shadow/filter.h>
+#include <libhair/shadow/density_map.h>
 #include <libhair/shadow/footprint-inl.h>
+#include <libhair/shadow/transmittances.h>
 
 #ifndef HAIR_SHADOW_FILTER_VIEW
 #define HAIR_SHADOW_FILTER_VIEW
@@ -49,6 +50,7 @@ class Cells {
   HWY_INLINE explicit Cells(const FilterView& view)
       : view_(view),
         map_(view.map),
+        lit_(*view.map.bricks),
         codes_(view.map.grid),
         n_(map_.grid.settings.cells),
         deepest_(map_.grid.depth() - 1),
@@ -69,7 +71,7 @@ class Cells {
     // Psi).
     if (HWY_UNLIKELY(aliased_)) s = wrapSlices(s);
     const Ints at = min(max(s, Ints(-1)), Ints(deepest_)) + Ints(1);
-    return {gather(map_.sliceRun.data(), at), gather(map_.sliceInBrick.data(), at), at == Ints(0),
+    return {gather(lit_.sliceRun.data(), at), gather(lit_.sliceInBrick.data(), at), at == Ints(0),
             at == Ints(1), s > Ints(deepest_)};
   }
   HWY_INLINE const CellCodes& codes() const { return codes_; }
@@ -82,14 +84,14 @@ class Cells {
   };
   HWY_INLINE Place place(const Slices& s, Ints j, Ints k) const {
     const Ints brick = shiftRight<2>(k) * Ints(view_.perRow) + shiftRight<4>(j);
-    const Ints code = gather(map_.lightIn.data(), s.codes + brick);
+    const Ints code = gather(lit_.lightIn.data(), s.codes + brick);
     const Mask fixed = code < Ints(0);
     const Ints layer = (code & Ints(0x7fffffff)) + select(fixed, Ints(0), s.inBrick);
     return {layer * Ints(Transmittances::kLayer) + (k & Ints(3)) * Ints(Transmittances::kRow) +
                 (j & Ints(15)),
             select(fixed | s.behind, Ints(0), Ints(Transmittances::kLayer)), fixed};
   }
-  HWY_INLINE Floats value(Ints place) const { return gather(map_.transmittances.data(), place); }
+  HWY_INLINE Floats value(Ints place) const { return gather(lit_.values.data(), place); }
 
   /// Indices of wrapped cells j and j + 1 in the front and the back slice.
   struct Row {
@@ -118,7 +120,7 @@ class Cells {
     Pairs front, back;
   };
   HWY_INLINE RowValues values(const Row& row) const {
-    const float* values = map_.transmittances.data();
+    const float* values = lit_.values.data();
     RowValues r{gatherPairs(values, row.front), gatherPairs(values, row.back)};
     if (HWY_UNLIKELY(row.anyElsewhere)) {
       r.front.second = select(row.elsewhere, value(row.frontNext), r.front.second);
@@ -133,6 +135,7 @@ class Cells {
            (k1 < Ints(map_.grid.lower.z)) | (k0 > Ints(map_.grid.upper.z));
   }
   const DensityMap& map() const { return map_; }
+  const LitBricks& lit() const { return lit_; }
   const FilterView& view() const { return view_; }
 
  private:
@@ -147,6 +150,7 @@ class Cells {
 
   const FilterView& view_;
   const DensityMap& map_;
+  const LitBricks& lit_;
   CellCodes codes_;
   int n_, deepest_;
   bool aliased_;
@@ -208,9 +212,9 @@ class FootprintSum {
   /// point at y.
   FootprintSum(int first, int last, float y, const Cells& cells) {
     const DensityGrid& grid = cells.map().grid;
-    const int n = grid.settings.cells;
+    const int n = grid.settings.cells, baseY = grid.cells->frame.base.y;
     for (int j = first; j <= last;) {
-      const int wrapped = grid.wrap(grid.frame.base.y + j);
+      const int wrapped = grid.wrap(baseY + j);
       const int from = wrapped % brick::kY;
       const int count = std::min({brick::kY - from, n - wrapped, last - j + 1});
       Piece& piece = pieces_[count_++];
@@ -235,12 +239,12 @@ class FootprintSum {
   };
   /// Adds the wrapped row k.
   void add(const Cells& cells, const Rows& rows, int k, float weight) {
-    const DensityMap& map = cells.map();
+    const LitBricks& lit = cells.lit();
     const std::uint32_t* codes =
-        map.lightIn.data() + rows.codes + k / brick::kZ * cells.view().perRow;
+        lit.lightIn.data() + rows.codes + k / brick::kZ * cells.view().perRow;
     for (std::size_t p = 0; p < count_; ++p) {
       const std::uint32_t code = codes[pieces_[p].brick];
-      const float* at = map.transmittances.row(code, rows.inBrick, k % brick::kZ);
+      const float* at = lit.values.row(code, rows.inBrick, k % brick::kZ);
       const bool same = rows.behind || (code & Transmittances::kFixed);
       const Floats back = loadFloats(at);
       const Floats front =
@@ -275,6 +279,7 @@ class FootprintSum {
 HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* out) {
   // Find slices, cells and bounds of all points.
   const DensityGrid& grid = cells.map().grid;
+  const int baseZ = grid.cells->frame.base.z;
   const FootprintKernel& kernel = cells.view().kernel;
   const Floats x = u.x, y = u.y - 0.5f, z = u.z - 0.5f;
   const Floats h(kernel.halfWidth);
@@ -304,7 +309,7 @@ HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* 
       store(footprintWeights(kernel, across[p] - static_cast<float>(k) - toFloats(laneNumbers())),
             weights);
       for (std::size_t l = 0; l < kLanes && k <= lastK[p]; ++l, ++k)
-        sum.add(cells, rows, grid.wrap(grid.frame.base.z + k), weights[l]);
+        sum.add(cells, rows, grid.wrap(baseZ + k), weights[l]);
     }
     out[p] = std::min(std::max(1 - sum.darkness(), 0.0f), 1.0f);
   }
@@ -313,6 +318,7 @@ HWY_INLINE void footprint(const Cells& cells, Vec3 u, std::size_t count, float* 
 void sampleAll(const FilterView& view, const glm::vec3* points, std::size_t count, float* out) {
   constexpr std::size_t kVectors = 4;
   const Cells cells(view);
+  const CellFrame& frame = view.map.grid.cells->frame;
   const Filter filter = view.map.settings.filter;
   // Paper: a point at lambda in cell j is between cells j - 1 (weight 1 - lambda) and j (lambda).
   // Deviation, Centred: the paper's weights put a cell's value at its corner, which shifts shadows
@@ -326,8 +332,7 @@ void sampleAll(const FilterView& view, const glm::vec3* points, std::size_t coun
     Linear linear[kVectors];
     for (std::size_t v = 0; v < vectors; ++v) {
       const std::size_t first = p + v * kLanes;
-      const Vec3 u =
-          cellCoordinates(view.map.grid.frame, loadPoints(points + first, count - first));
+      const Vec3 u = cellCoordinates(frame, loadPoints(points + first, count - first));
       if (filter == Filter::None)
         store(own(cells, u), t + v * kLanes);
       else if (filter == Filter::Footprint)
@@ -371,8 +376,8 @@ void TransmittanceSampler::sample(std::span<const glm::vec3> points, std::span<f
     return;
   }
   const int n = map_.settings.cells;
-  const FilterView view{map_, FootprintKernel(map_.settings), scale_, map_.grid.bricks.perAxis().y,
-                        n % brick::kY == 0 ? -1 : n - 1};
+  const FilterView view{map_, FootprintKernel(map_.settings), scale_,
+                        map_.grid.cells->bricks.perAxis().y, n % brick::kY == 0 ? -1 : n - 1};
   HWY_DYNAMIC_DISPATCH(sampleAll)(view, points.data(), points.size(), out.data());
 }
 

@@ -4,6 +4,7 @@
 #include <climits>
 #include <cmath>
 
+#include <libhair/density/grid_cells.h>
 #include <libhair/shadow/footprint.h>
 
 namespace hair::literal {
@@ -133,7 +134,7 @@ void filterTransmittance(const LiteralMap& map, std::span<const glm::vec3> point
 
 double transmittance(const DensityMap& map, glm::vec3 p) {
   const DensityGrid& grid = map.grid;
-  const glm::vec3 u = grid.frame.cellCoordinates(p);
+  const glm::vec3 u = grid.cells->frame.cellCoordinates(p);
   switch (map.settings.filter) {
     case Filter::None:
       return leaving(grid, grid.cellOf(p));

@@ -5,11 +5,11 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
-#include <libhair/light/light_space.h>
+#include <libhair/density/cell_frame.h>
+#include <libhair/light/light.h>
 #include <libhair/shadow/density_map.h>
 
-namespace HAIR_API hair {
+namespace hair {
 namespace literal {
 
 /// Direct implementation of section 3 of Bertails et al. 2005: one thread, a dense grid of floats,

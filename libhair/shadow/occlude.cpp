@@ -1,4 +1,4 @@
-#include <libhair/shadow/occlude.h>
+#include <libhair/shadow/density_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <libhair/core/error.h>
 #include <libhair/density/cell_walk.h>
 #include <libhair/density/cell_writer.h>
+#include <libhair/density/grid_cells.h>
 
 namespace hair {
 
@@ -54,13 +55,13 @@ CellBox roomFor(CellBox box, const DensityGrid& grid) {
 template <class Distance>
 void occlude(const Distance& distance, glm::vec3 centre, float radius, DensityMap& map) {
   DensityGrid& grid = map.grid;
-  require(grid.bricks.valid(), "occlude: clear() the density map first");
+  require(grid.cells->bricks.valid(), "occlude: clear() the density map first");
   const float cell = grid.settings.cellSize;
   if (grid.empty()) {
-    grid.frame = makeCellFrame(grid.space, centre, cell, grid.settings.cells);
+    grid.cells->frame = makeCellFrame(grid.space, centre, cell, grid.settings.cells);
     grid.quantum = kQuantum;
   }
-  const CellFrame frame = grid.frame;
+  const CellFrame frame = grid.cells->frame;
   require(
       grid.quantum > 0,
       "occlude: a point of this hair is worth no optical depth; take Deposit::Columns, or fibres "

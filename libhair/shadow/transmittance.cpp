@@ -8,7 +8,7 @@
 //     of B
 //
 // lightIn gets a code for each run and column, which says where its transmittance is stored
-// (Transmittances in density/brick_store.h). A brick has one layer more than slices, for the light
+// (Transmittances in transmittances.h). A brick has one layer more than slices, for the light
 // that enters it, and one column more than cells, a copy of its neighbour's first:
 //
 //     layer 0 |slice 0| layer 1 |slice 1| layer 2 |slice 2| layer 3 |slice 3| layer 4
@@ -20,8 +20,10 @@
 #include <hwy/foreach_target.h>
 
 #include <libhair/core/simd-inl.h>
+#include <libhair/density/grid_cells.h>
 #include <libhair/shadow/brick_range.h>
-#include <libhair/shadow/transmittance.h>
+#include <libhair/shadow/density_map.h>
+#include <libhair/shadow/transmittances.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hair {
@@ -71,8 +73,8 @@ HWY_INLINE void copyNeighbour(int layers, const float* next, bool constant, floa
 /// Prefetches a brick of the next run.
 HWY_INLINE void prefetch(std::uint32_t slot, DensityMap& map) {
   if (slot == 0) return;
-  const std::uint32_t* counts = map.grid.bricks.cells(slot);
-  const float* out = map.transmittances.layer(Transmittances::code(slot));
+  const std::uint32_t* counts = map.grid.cells->bricks.cells(slot);
+  const float* out = map.bricks->values.layer(Transmittances::code(slot));
   for (std::size_t c = 0; c < brick::kCells; c += kLanes) {
     hwy::Prefetch(counts + c);
     hwy::Prefetch(out + c);
@@ -82,15 +84,16 @@ HWY_INLINE void prefetch(std::uint32_t slot, DensityMap& map) {
 /// Walks one row of bricks across the light, in the columns of `range`.
 void walkRow(std::size_t z, BrickRange range, DensityMap& map) {
   // Let full light enter: run 0 reads the layer of ones, 0.
-  const BrickStore& bricks = map.grid.bricks;
+  const BrickStore& bricks = map.grid.cells->bricks;
   const auto perRow = static_cast<std::size_t>(bricks.perAxis().y);
   const int slices = map.grid.depth();
-  std::uint32_t* before = map.lightIn.data() + z * perRow;
+  LitBricks& lit = *map.bricks;
+  std::uint32_t* before = lit.lightIn.data() + z * perRow;
   for (int i = 0; i < range.count; ++i) before[range.at(i)] = Transmittances::kFixed;
   std::uint32_t last = 0;  // slice of the previous run
   for (int s = 0; s < slices;) {
     // Find the run: up to the end of its brick, of the wrap-around, or of the hair.
-    const int first = map.grid.wrap(map.grid.frame.base.x + map.grid.lower.x + s);
+    const int first = map.grid.wrap(map.grid.cells->frame.base.x + map.grid.lower.x + s);
     const auto slice = static_cast<std::uint32_t>(first % brick::kX);
     const Run run{static_cast<int>(slice), std::min({brick::kX - static_cast<int>(slice),
                                                      map.grid.settings.cells - first, slices - s})};
@@ -101,8 +104,7 @@ void walkRow(std::size_t z, BrickRange range, DensityMap& map) {
       next = slots + bricks.across();
     // The layer that enters the run: a brick's own, elsewhere the one that all its slices read.
     const auto entering = [&](std::size_t y) HWY_ATTR {
-      return map.transmittances.layer(slots[y] ? codes[y] - 1 + slice
-                                               : codes[y] & ~Transmittances::kFixed);
+      return lit.values.layer(slots[y] ? codes[y] - 1 + slice : codes[y] & ~Transmittances::kFixed);
     };
     // Carry the last layer of the previous run into each column, and attenuate it where a brick is.
     for (int i = 0; i < range.count; ++i) {
@@ -113,7 +115,7 @@ void walkRow(std::size_t z, BrickRange range, DensityMap& map) {
       if (slots[y] == 0) continue;
       codes[y] = Transmittances::code(slots[y]);
       attenuate(bricks.cells(slots[y]), run, map.grid.quantum,
-                map.transmittances.layer(held & ~Transmittances::kFixed), entering(y));
+                lit.values.layer(held & ~Transmittances::kFixed), entering(y));
     }
     // Pad each brick from its neighbour. After the last one any will do: no filter reads there.
     for (int i = 0; i < range.count; ++i) {
@@ -145,16 +147,17 @@ namespace {
 
 /// Finds the run and the slice of its brick of every slice of the hair.
 void findSlices(DensityMap& map) {
-  const auto across = static_cast<std::int32_t>(map.grid.bricks.across());
+  const auto across = static_cast<std::int32_t>(map.grid.cells->bricks.across());
   const int n = map.grid.settings.cells,
-            begin = map.grid.wrap(map.grid.frame.base.x + map.grid.lower.x);
+            begin = map.grid.wrap(map.grid.cells->frame.base.x + map.grid.lower.x);
   const auto slices = static_cast<std::size_t>(map.grid.depth());
   // Reserve for the deepest hair, as that of a later frame may be deeper.
-  map.sliceRun.reserve(static_cast<std::size_t>(n) + 1);
-  map.sliceInBrick.reserve(static_cast<std::size_t>(n) + 1);
-  map.sliceRun.resize(slices + 1);
-  map.sliceInBrick.resize(slices + 1);
-  map.sliceRun[0] = map.sliceInBrick[0] = 0;
+  LitBricks& lit = *map.bricks;
+  lit.sliceRun.reserve(static_cast<std::size_t>(n) + 1);
+  lit.sliceInBrick.reserve(static_cast<std::size_t>(n) + 1);
+  lit.sliceRun.resize(slices + 1);
+  lit.sliceInBrick.resize(slices + 1);
+  lit.sliceRun[0] = lit.sliceInBrick[0] = 0;
   for (std::size_t s = 0; s < slices; ++s) {
     // Begin another run where the index wraps around.
     const int straight = begin + static_cast<int>(s);
@@ -162,23 +165,23 @@ void findSlices(DensityMap& map) {
     const int wrapped = turned ? straight - n : straight;
     const int run = turned ? (n - 1) / brick::kX - begin / brick::kX + 1 + wrapped / brick::kX
                            : wrapped / brick::kX - begin / brick::kX;
-    map.sliceRun[1 + s] = (run + 1) * across;
-    map.sliceInBrick[1 + s] = wrapped % brick::kX;
+    lit.sliceRun[1 + s] = (run + 1) * across;
+    lit.sliceInBrick[1 + s] = wrapped % brick::kX;
   }
 }
 
 }  // namespace
 
 void computeTransmittance(DensityMap& map) {
-  map.transmittances.reserve(map.grid.bricks.room());
+  map.bricks->values.reserve(map.grid.cells->bricks.room());
   findSlices(map);
   // Count the runs, at most: run 0 before all hair, one per brick along the light, of which the
   // first and the last may be entered in part, and one more where the index wraps around.
   const auto runs = static_cast<std::size_t>(map.grid.depth()) / brick::kX + 4;
-  map.lightIn.reserve((static_cast<std::size_t>(map.grid.bricks.perAxis().x) + 4) *
-                      map.grid.bricks.across());
+  map.bricks->lightIn.reserve((static_cast<std::size_t>(map.grid.cells->bricks.perAxis().x) + 4) *
+                              map.grid.cells->bricks.across());
   // Give new codes a valid layer: filters read codes beside the hair, but do not use their values.
-  map.lightIn.resize(runs * map.grid.bricks.across(), Transmittances::kFixed);
+  map.bricks->lightIn.resize(runs * map.grid.cells->bricks.across(), Transmittances::kFixed);
   // Walk the rows that a filter may read.
   const BrickRange across = bricksToRead(map.grid, 1), rows = bricksToRead(map.grid, 2);
   parallelFor(static_cast<std::size_t>(rows.count), 1, [&](std::size_t begin, std::size_t end) {

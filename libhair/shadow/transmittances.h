@@ -3,17 +3,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/density/brick_store.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Transmittance of the cells of all bricks; slot 0 is a brick of ones.
 ///
 /// Traversal along the light groups slices in *runs*: consecutive slices of one brick. Run 0 is in
 /// front of all hair. (Where the modulo wraps, traversal may end in the brick in which it began;
-/// that is a run of its own.) DensityMap::lightIn has a code for each run and each brick across. A
+/// that is a run of its own.) LitBricks::lightIn has a code for each run and each brick across. A
 /// filter reads two consecutive slices, and neighbours along a row in each, so bricks are padded by
 /// a layer and a column:
 ///
@@ -54,6 +54,24 @@ class Transmittances {
  private:
   std::size_t slots_ = 0;
   std::unique_ptr<float[]> values_;
+};
+
+/// Transmittance of the cells of a DensityMap, and where to find it.
+///
+///      light → → →    a column of bricks: 4 slices deep, 4 × 16 cells across
+///     +----+----+----+----+----+
+///     |    | B0 |    |    | B1 |      `lightIn` locates the transmittance of each
+///     +----+----+----+----+----+      brick of the column: in itself (B0, B1), or,
+///      ones  B0   B0'  B0'  B1        if not allocated, in the last slice of the
+///                                     previous brick towards the light (B0'), or
+///                                     in the brick of ones.
+struct LitBricks {
+  Transmittances values;  ///< of the bricks
+  /// [runs][across] codes, see Transmittances; written where a filter may read them (bricksToRead)
+  std::vector<std::uint32_t> lightIn;
+  /// [0]: in front of the hair; [1 + s]: slice s of the hair.
+  std::vector<std::int32_t> sliceRun,  ///< offset in lightIn of the codes of its run
+      sliceInBrick;                    ///< same shape: slice within the bricks of its run
 };
 
 }  // namespace hair

@@ -29,7 +29,7 @@ BodyState ColliderFadeIn::at(float share) {
   for (std::size_t m = 0; m < full_.meshes.size(); ++m) {
     // Scale about the centre of its box. A scale of 0 is invalid.
     const MeshCollider& mesh = full_.meshes[m];
-    const float size = std::max(share, 0.01f);
+    const float size = std::max({share, 0.01f, kSmallestMeshScale / mesh.scale});
     now_.meshes[m].scale = size * mesh.scale;
     now_.meshes[m].worldFromMesh.translation =
         mesh.worldFromMesh.point((1 - size) * mesh.scale * mesh.sdf->box().centre());

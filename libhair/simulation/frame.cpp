@@ -16,15 +16,9 @@ ColliderState collidersOf(const BodyState& body, const MeshSdf* head) {
 }
 
 void validate(const FrameSettings& s) {
-  validate(s.guides);
-  validate(s.repulsion);
-  validate(s.wind);
+  validateFields(s, "frame settings");
   for (const Light& light : s.lights) validate(light);
   require(s.lights.size() <= 256, "frame settings: ", s.lights.size(), " lights; at most 256");
-  validate(s.map);
-  validate(s.appearance);
-  require(glm::dot(s.eye, s.eye) < 1e30f, "eye: (", s.eye.x, ", ", s.eye.y, ", ", s.eye.z,
-          ") is not finite, or beyond 1e15 m");
 }
 
 DensityMapSettings fitMap(const DensityMapSettings& settings, const Groom& groom, float headSize) {

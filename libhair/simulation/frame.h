@@ -1,21 +1,22 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/core/profile.h>
 #include <libhair/geometry/mesh_sdf.h>
+#include <libhair/guides/guide_strands.h>
 #include <libhair/guides/settings.h>
-#include <libhair/guides/step.h>
 #include <libhair/light/light.h>
 #include <libhair/model/groom.h>
 #include <libhair/repulsion/repulsion.h>
 #include <libhair/shade/appearance.h>
 #include <libhair/shadow/density_map.h>
-#include <libhair/wisps/level.h>
 #include <libhair/wisps/wisps.h>
 
 namespace HAIR_API hair {
@@ -42,6 +43,17 @@ struct FrameSettings {
   Appearance appearance;   ///< reflectance model, colours and highlights
   glm::vec3 eye{0, 0, 1};  ///< camera position, metres; highlights depend on it
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const FrameSettings*) {
+  using S = FrameSettings;
+  return std::tuple(Field("guides", &S::guides), Field("selfCollision", &S::selfCollision),
+                    Field("repulsion", &S::repulsion), Field("wind", &S::wind),
+                    Field("lights", &S::lights), Field("shadow", &S::shadow), Field("map", &S::map),
+                    Field("bodyShadow", &S::bodyShadow), Field("shade", &S::shade),
+                    Field("encode", &S::encode), Field("radiance", &S::radiance),
+                    Field("appearance", &S::appearance), Field("eye", &S::eye, "[0, 1e15) m"));
+}
 
 /// Throws Error that names the field and its range, for every stage of a frame.
 void validate(const FrameSettings& settings);
@@ -149,5 +161,48 @@ DensityMapSettings mapAt(const LevelOfDetail& level, const DensityMapSettings& s
 /// grow to full size (ColliderFadeIn): hair groomed through a shoulder moves out of it smoothly
 /// instead of being ejected.
 void restart(const BodyState& body, const FrameSettings& settings, float seconds, Hair& hair);
+
+// Changes of the scene between two frames. Each preserves the hair's motion as far as possible.
+// Call light() afterwards to recompute transmittance and colours without a frame.
+
+/// Teleports hair and head to `worldFromHead`: applies the head's rigid motion to guides, drawn
+/// points, capsules, velocities and repulsion, so that the hair keeps its shape and gets no
+/// impulse. Forgets planes and meshes: the next frame takes its own as at rest. Gravity and wind
+/// stay in world axes. Throws Error for a head that is not finite, or where floats are too coarse
+/// (requirePrecision).
+void teleport(const RigidTransform& worldFromHead, Hair& hair);
+
+/// Rebases the world to `origin`: later input is relative to it. Hair keeps its shape, velocity and
+/// place. Positions are floats, most precise near the origin: programs that travel far should
+/// rebase before requirePrecision (guides/validate.h) rejects a frame. Wind gusts and map cells
+/// shift with the origin. Throws Error for an origin that is not finite, or too far from the head.
+void moveOrigin(glm::vec3 origin, Hair& hair);
+
+/// Replaces the colliders: the next frame treats those of `body` as having been at rest. Guides
+/// inside one are moved out without advancing time or changing velocities; guides clear of all keep
+/// every bit. frame() does this itself where the number of colliders changes; call it where the
+/// number stays and the colliders differ.
+/// Throws Error for more than kMaxCapsules capsules, and for colliders that are not valid.
+void changeColliders(const BodyState& body, const FrameSettings& settings, Hair& hair);
+
+/// Replaces the groom; it must outlive the hair. If the numbers of guides and of points a guide
+/// match, link directions and point velocities are kept with the new link lengths (a trim, or other
+/// stiffness, curls or drawn strands, during motion), and it returns true. Otherwise the new guides
+/// start at rest on the head. In both cases guides are moved out of colliders as by
+/// changeColliders. Time continues.
+/// Throws Error as Hair's constructor does; the hair is then unchanged.
+bool changeGroom(const Groom& groom, const FrameSettings& settings, Hair& hair);
+
+/// Writes the state that a frame passes to the next: guides, self-collision with its rest density,
+/// colliders, time, drawn points, and the clearances measured at construction. Settings and groom
+/// are not included. Layout: hair_state.cpp. Throws Error where the stream fails.
+void saveState(const Hair& hair, std::ostream& out);
+
+/// Restores a saved state: with the settings and motion of the saved run, every later frame is
+/// bit-identical to it, on any machine and number of threads. Reads exactly the bytes written.
+/// Transmittance and colours are recomputed by the next frame, or light(). Throws Error for a state
+/// of another groom or of guide settings with another rest shape, and for a truncated or damaged
+/// one; the hair is then unchanged.
+void restoreState(std::istream& in, Hair& hair);
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-#include <libhair/simulation/hair_state.h>
+#include <libhair/simulation/frame.h>
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,10 @@
 #include <utility>
 
 #include <libhair/core/error.h>
+#include <libhair/core/state_hash.h>
 #include <libhair/files/byte_reader.h>
 #include <libhair/guides/validate.h>
+#include <libhair/simulation/saved_state.h>
 
 namespace hair {
 
@@ -33,7 +35,7 @@ constexpr std::string_view kName = "saved state";
 //   f32[3·16·g·n] each          guide positions, velocities
 //   f32[16·g·(n - 1)]           tension of links
 //   f32[16·g·n], f32[3·16·g·n]  with self-collision: density allowed, push
-//   f32[16·g·n]                 with shelter: attenuation of the wind
+//   f32[16·g·n]                 with occlusion of the wind: attenuation of the wind
 //   f32[3] a point              drawn points
 //   f32[3], f32 a strand        offsets of drawn roots, clearance of drawn strands
 //   u64                         StateHash of all bytes before
@@ -45,10 +47,10 @@ struct Header {
   double time;
   float waiting;         // Repulsion::waiting
   std::uint32_t points;  // guide points / 16
-  std::uint32_t felt;    // equal to points, or 0 without self-collision
+  std::uint32_t pushes;  // equal to points, or 0 without self-collision
   std::uint32_t capsules, drawn, strands;
   std::uint32_t planes, meshes;
-  std::uint32_t sheltered;   // equal to points, or 0 without shelter
+  std::uint32_t windShares;  // equal to points, or 0 without its occlusion
   std::uint32_t learntWith;  // Repulsion::learntWith
 };
 static_assert(sizeof(Header) == 72, "without gaps");
@@ -95,11 +97,11 @@ Header headerOf(const Hair& hair) {
   header.waiting = hair.repulsion.waiting;
   header.points = count(hair.guides.position);
   header.learntWith = hair.repulsion.learntWith;
-  header.felt = count(hair.repulsion.allowed);
+  header.pushes = count(hair.repulsion.allowed);
   header.capsules = count(hair.capsules);
   header.planes = count(hair.planes);
   header.meshes = count(hair.meshes);
-  header.sheltered = count(hair.repulsion.windShare);
+  header.windShares = count(hair.repulsion.windShare);
   header.drawn = count(hair.wisps.points);
   header.strands = count(hair.wisps.rootOffsets);
   return header;
@@ -137,21 +139,21 @@ void check(const Header& header, const Hair& hair) {
           kName,
           ": of another groom, or of guide settings that shape another rest; load it into "
           "the hair that it was saved of");
-  require(std::isfinite(header.time) && (header.felt == 0 || header.felt == own.points) &&
+  require(std::isfinite(header.time) && (header.pushes == 0 || header.pushes == own.points) &&
               header.turn <= 1 && header.waiting >= 0 && header.waiting <= 1 &&
               header.capsules <= kMaxCapsules && header.planes <= kMaxPlanes &&
               header.meshes <= kMaxMeshes &&
-              (header.sheltered == 0 || header.sheltered == own.points),
-          kName, ": ", header.time, " s, ", header.felt, " pushes, ", header.sheltered,
+              (header.windShares == 0 || header.windShares == own.points),
+          kName, ": ", header.time, " s, ", header.pushes, " pushes, ", header.windShares,
           " shares of wind, turn ", header.turn, ", ", header.capsules, " capsules, ",
           header.planes, " planes and ", header.meshes, " meshes cannot be (damaged)");
 }
 
 std::size_t bodySize(const Header& h, std::size_t links) {
   return 2 * sizeof(Pose) + h.capsules * sizeof(Capsule) + h.planes * sizeof(Plane) +
-         h.meshes * sizeof(Placement) + std::size_t{h.sheltered} * sizeof(Lanes) +
+         h.meshes * sizeof(Placement) + std::size_t{h.windShares} * sizeof(Lanes) +
          std::size_t{h.points} * 2 * sizeof(LaneVec3) + links * sizeof(Lanes) +
-         std::size_t{h.felt} * (sizeof(Lanes) + sizeof(LaneVec3)) +
+         std::size_t{h.pushes} * (sizeof(Lanes) + sizeof(LaneVec3)) +
          std::size_t{h.drawn} * sizeof(glm::vec3) +
          std::size_t{h.strands} * (sizeof(glm::vec3) + sizeof(float));
 }
@@ -206,7 +208,7 @@ void saveState(const Hair& hair, std::ostream& out) {
   require(out.good(), kName, ": cannot write");
 }
 
-void restoreState(std::istream& in, Hair& hair) {
+SavedState readState(std::istream& in, const Hair& hair) {
   std::string bytes;
   take(in, sizeof(Header), bytes);
   const auto header = ByteReader(bytes, kName).read<Header>("header");
@@ -221,73 +223,80 @@ void restoreState(std::istream& in, Hair& hair) {
   ByteReader reader(summed, kName);
   reader.seek(sizeof(Header), "poses");
   const auto read = [&]<class T>(std::vector<T>& values, std::size_t count, const char* what) {
-    values.clear();
     reader.appendFinite(values, count, what);
   };
   std::vector<Pose> poses;
-  std::vector<Capsule> capsules;
-  std::vector<Plane> planes;
   std::vector<Placement> placements;
-  GuideStrands guides = hair.guides;
-  std::vector<Lanes> allowed, windShare;
-  std::vector<LaneVec3> push;
-  std::vector<glm::vec3> points, rootOffsets;
-  std::vector<float> clearance;
+  SavedState state;
   read(poses, 2, "pose");
-  read(capsules, header.capsules, "capsule");
-  read(planes, header.planes, "plane");
+  read(state.capsules, header.capsules, "capsule");
+  read(state.planes, header.planes, "plane");
   read(placements, header.meshes, "placement of a mesh");
-  read(guides.position, header.points, "guide position");
-  read(guides.velocity, header.points, "guide velocity");
-  read(guides.tension, hair.guides.tension.size(), "guide tension");
-  read(allowed, header.felt, "allowed density");
-  read(push, header.felt, "push");
-  read(windShare, header.sheltered, "share of the wind");
-  read(points, header.drawn, "drawn point");
-  read(rootOffsets, header.strands, "root offset");
-  read(clearance, header.strands, "clearance");
-  if (allowed.empty()) {  // saved without self-collision: keep this hair's rest density
-    allowed = hair.repulsion.allowed;
-    push.resize(allowed.size());
+  read(state.position, header.points, "guide position");
+  read(state.velocity, header.points, "guide velocity");
+  read(state.tension, hair.guides.tension.size(), "guide tension");
+  read(state.allowed, header.pushes, "allowed density");
+  read(state.push, header.pushes, "push");
+  read(state.windShare, header.windShares, "share of the wind");
+  read(state.points, header.drawn, "drawn point");
+  read(state.rootOffsets, header.strands, "root offset");
+  read(state.clearance, header.strands, "clearance");
+  state.worldFromHead = transformOf(poses[0]);
+  state.worldFromRoots = transformOf(poses[1]);
+  state.time = header.time;
+  state.turn = header.turn;
+  state.waiting = header.waiting;
+  state.learntWith = header.learntWith;
+  if (header.pushes == 0) {  // saved without self-collision: keep this hair's rest density
+    state.allowed = hair.repulsion.allowed;
+    state.learntWith = hair.repulsion.learntWith;
+    state.push.resize(state.allowed.size());
   }
 
   // Keep this hair's distance fields if the number of meshes matches; otherwise the next frame
   // takes its meshes as at rest.
-  std::vector<MeshCollider> meshes = hair.meshes;
-  if (meshes.size() != placements.size()) meshes.clear();
-  for (std::size_t m = 0; m < meshes.size(); ++m)
-    meshes[m] = {meshes[m].sdf, transformOf(placements[m].pose), placements[m].scale};
+  if (hair.meshes.size() == placements.size())
+    for (std::size_t m = 0; m < placements.size(); ++m)
+      state.meshes.push_back(
+          {hair.meshes[m].sdf, transformOf(placements[m].pose), placements[m].scale});
 
   constexpr float kFarthest = 1e10f, kFastest = 1e15f;
-  requireWithin(guides.position, -kFarthest, kFarthest, "guide position");
-  requireWithin(guides.velocity, -kFastest, kFastest, "guide velocity");
-  requireWithin(allowed, 0, INFINITY, "allowed density");
-  requireWithin(push, -1e6f, 1e6f, "push");
-  requireWithin(windShare, 0, 1, "share of the wind");
-  requireWithin(points, -kFarthest, kFarthest, "drawn point");
-  requireWithin(rootOffsets, -kFarthest, kFarthest, "root offset");
-  requireWithin(clearance, -kFarthest, kFarthest, "clearance");
-  const RigidTransform worldFromHead = transformOf(poses[0]);
-  guides.worldFromHead = transformOf(poses[1]);
-  requireGood(worldFromHead, guides.worldFromHead, std::span<const Capsule>(capsules),
-              Scenery{planes, meshes});
+  requireWithin(state.position, -kFarthest, kFarthest, "guide position");
+  requireWithin(state.velocity, -kFastest, kFastest, "guide velocity");
+  requireWithin(state.allowed, 0, INFINITY, "allowed density");
+  requireWithin(state.push, -1e6f, 1e6f, "push");
+  requireWithin(state.windShare, 0, 1, "share of the wind");
+  requireWithin(state.points, -kFarthest, kFarthest, "drawn point");
+  requireWithin(state.rootOffsets, -kFarthest, kFarthest, "root offset");
+  requireWithin(state.clearance, -kFarthest, kFarthest, "clearance");
+  requireGood(state.worldFromHead, state.worldFromRoots, std::span<const Capsule>(state.capsules),
+              Scenery{state.planes, state.meshes});
+  return state;
+}
 
-  // From here on nothing throws.
-  hair.worldFromHead = worldFromHead;
-  hair.guides = std::move(guides);
-  hair.capsules = std::move(capsules);
-  hair.planes = std::move(planes);
-  hair.meshes = std::move(meshes);
-  hair.repulsion.windShare = std::move(windShare);
-  if (header.felt > 0) hair.repulsion.learntWith = header.learntWith;
-  hair.repulsion.allowed = std::move(allowed);
-  hair.repulsion.push = std::move(push);
-  hair.repulsion.turn = header.turn;
-  hair.repulsion.waiting = header.waiting;
-  hair.wisps.points = std::move(points);
-  hair.wisps.rootOffsets = std::move(rootOffsets);
-  hair.wisps.clearance = std::move(clearance);
-  hair.time = header.time;
+void assignState(SavedState&& state, Hair& hair) noexcept {
+  hair.worldFromHead = state.worldFromHead;
+  hair.capsules = std::move(state.capsules);
+  hair.planes = std::move(state.planes);
+  hair.meshes = std::move(state.meshes);
+  hair.time = state.time;
+  hair.guides.worldFromHead = state.worldFromRoots;
+  hair.guides.position = std::move(state.position);
+  hair.guides.velocity = std::move(state.velocity);
+  hair.guides.tension = std::move(state.tension);
+  hair.repulsion.allowed = std::move(state.allowed);
+  hair.repulsion.push = std::move(state.push);
+  hair.repulsion.windShare = std::move(state.windShare);
+  hair.repulsion.learntWith = state.learntWith;
+  hair.repulsion.turn = state.turn;
+  hair.repulsion.waiting = state.waiting;
+  hair.wisps.points = std::move(state.points);
+  hair.wisps.rootOffsets = std::move(state.rootOffsets);
+  hair.wisps.clearance = std::move(state.clearance);
+}
+
+void restoreState(std::istream& in, Hair& hair) {
+  assignState(readState(in, hair), hair);
 }
 
 }  // namespace hair

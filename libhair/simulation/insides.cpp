@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
+#include <libhair/density/grid_cells.h>
 #include <libhair/geometry/mesh_sdf.h>
+#include <libhair/wisps/guide_curves.h>
 
 namespace hair {
 
@@ -210,19 +212,19 @@ int unwrapped(int wrapped, int base, int cells, int size, int lower) {
 
 void addBricks(const DensityGrid& grid, Lines& lines) {
   if (grid.empty()) return;
-  const glm::ivec3 perAxis = grid.bricks.perAxis(), size(brick::kX, brick::kY, brick::kZ);
-  for (const std::uint32_t place : grid.bricks.places()) {
+  const glm::ivec3 perAxis = grid.cells->bricks.perAxis(), size(brick::kX, brick::kY, brick::kZ);
+  for (const std::uint32_t place : grid.cells->bricks.places()) {
     const int y = static_cast<int>(place) % perAxis.y, rest = static_cast<int>(place) / perAxis.y;
     const glm::ivec3 first = glm::ivec3(rest / perAxis.z, y, rest % perAxis.z) * size;
     glm::vec3 from, to;
     for (int c = 0; c < 3; ++c) {
-      const int cell =
-          unwrapped(first[c], grid.frame.base[c], grid.settings.cells, size[c], grid.lower[c]);
+      const int cell = unwrapped(first[c], grid.cells->frame.base[c], grid.settings.cells, size[c],
+                                 grid.lower[c]);
       from[c] = static_cast<float>(cell);
       to[c] = static_cast<float>(cell + std::min(size[c], grid.settings.cells - first[c]));
     }
     const auto corner = [&](int i) {
-      return grid.frame.point(
+      return grid.cells->frame.point(
           {i & 1 ? to.x : from.x, i & 2 ? to.y : from.y, i & 4 ? to.z : from.z});
     };
     for (int i = 0; i < 8; ++i)
@@ -240,7 +242,7 @@ struct Words {
 };
 constexpr std::array<Words, kInsideCount> kWords = {{
     {"guides", "links of the simulated strands"},
-    {"tension", "the same: red where pulled, blue where pushed"},
+    {"tension", "links of the guides: red where pulled, blue where pushed"},
     {"guide frames", "normal, binormal and tangent at guide points, 5 mm"},
     {"contacts", "the collider's normal where a guide point touches it, 1 cm"},
     {"push", "of self-collision on guide points, 1 mm for 1 m/s^2"},

@@ -1,4 +1,4 @@
-#include <libhair/simulation/scene_changes.h>
+#include <libhair/simulation/frame.h>
 
 #include <algorithm>
 #include <utility>
@@ -113,6 +113,7 @@ void takeMotion(const GuideStrands& from, GuideStrands& to) {
 
 void teleport(const RigidTransform& worldFromHead, Hair& hair) {
   validate(worldFromHead);
+  requirePrecision(hair.guides, worldFromHead);
   const RigidTransform& old = hair.worldFromHead;
   const Jump jump{glm::normalize(worldFromHead.rotation * glm::conjugate(old.rotation)),
                   old.translation, worldFromHead.translation};
@@ -129,6 +130,7 @@ void moveOrigin(glm::vec3 origin, Hair& hair) {
   RigidTransform worldFromHead = hair.worldFromHead;
   worldFromHead.translation -= origin;
   validate(worldFromHead);
+  requirePrecision(hair.guides, worldFromHead);
   movePlaces(worldFromHead, [&](glm::vec3 p) { return p - origin; }, hair);
   for (Plane& plane : hair.planes) plane.point -= origin;
   for (MeshCollider& mesh : hair.meshes) mesh.worldFromMesh.translation -= origin;

@@ -1,11 +1,11 @@
+#include <libhair/simulation/saved_state.h>
 #include <libhair/simulation/simulation.h>
 
 #include <utility>
 
 #include <libhair/core/error.h>
 #include <libhair/guides/validate.h>
-#include <libhair/simulation/hair_state.h>
-#include <libhair/simulation/scene_changes.h>
+#include <libhair/simulation/frame.h>
 #include <libhair/simulation/stages.h>
 
 namespace hair {
@@ -21,6 +21,20 @@ const Groom& checked(const std::shared_ptr<const Groom>& groom) {
 const FrameSettings& checked(const FrameSettings& settings) {
   validate(settings);
   return settings;
+}
+
+// What only the place of the head tells about lights (lightSpaceOf).
+void requireLights(const FrameSettings& settings, glm::vec3 pivot) {
+  for (const Light& light : settings.lights) lightSpaceOf(light, pivot);
+}
+
+// What neither settings nor groom tell alone: `occlude` counts the body in points of the hair.
+void requireFit(const FrameSettings& settings, const Groom& groom) {
+  const Fibre& f = groom.fibre;
+  require(!settings.bodyShadow || settings.map.deposit != Deposit::Points ||
+              settings.map.pointExtinction > 0 || f.width * f.opacity * f.hairsPerStrand > 0,
+          "frame settings: bodyShadow with Deposit::Points needs hair that casts a shadow; take "
+          "Deposit::Columns, or fibres of some width and opacity");
 }
 
 }  // namespace
@@ -40,24 +54,39 @@ Simulation::Simulation(std::shared_ptr<const Groom> groom, const FrameSettings& 
       settings_(checked(settings)),
       hair_(checked(groom_), settings_, body, head_.get(), wisps) {
   requireFrame(body);
+  requireFit(settings_, *groom_);
   body_.assign(body);
   relight();
 }
 
-// Validates all input of a frame, before anything changes.
-void Simulation::requireFrame(const BodyState& body) const {
-  require(body.capsules.size() <= kMaxCapsules, "body: ", body.capsules.size(),
-          " capsules; at most ", kMaxCapsules);
-  validate(body.worldFromHead);
-  validate(body.capsules);
-  validate(body.scenery);
-  requirePrecision(hair_.guides, body.worldFromHead);
-  for (const Light& light : settings_.lights) lightSpaceOf(light, body.worldFromHead.translation);
+// Each of these refuses what the call would throw for later, before anything changes.
+
+// Of light(), and of a level that it draws first.
+void Simulation::requireLight(const RigidTransform& worldFromHead) const {
+  requireLights(settings_, worldFromHead.translation);
+  requireLevel(hair_);
   // A pending level change discards the visibility.
   const std::size_t known = hair_.level == hair_.wisps.drawn.level ? hair_.visibility.size() : 0;
   require(known == 0 || known == settings_.lights.size() * hair_.wisps.points.size(),
           "visibility: ", known, " values for ", settings_.lights.size(), " lights and ",
           hair_.wisps.points.size(), " points; give it anew after a change of lights or groom");
+}
+
+// Of hair whose head is there.
+void Simulation::requireHead(const RigidTransform& worldFromHead) const {
+  validate(worldFromHead);
+  requirePrecision(hair_.guides, worldFromHead);
+  hair_.guides.longestSubstep(worldFromHead);
+  requireLight(worldFromHead);
+}
+
+// Of a frame.
+void Simulation::requireFrame(const BodyState& body) const {
+  require(body.capsules.size() <= kMaxCapsules, "body: ", body.capsules.size(),
+          " capsules; at most ", kMaxCapsules);
+  validate(body.capsules);
+  validate(body.scenery);
+  requireHead(body.worldFromHead);
 }
 
 const FrameProfile& Simulation::step(const BodyState& body, float seconds) {
@@ -70,6 +99,7 @@ const FrameProfile& Simulation::step(const BodyState& body, float seconds) {
 }
 
 const FrameProfile& Simulation::relight() {
+  requireLight(hair_.worldFromHead);
   profile_ = {};
   if (hair_.level != hair_.wisps.drawn.level) redraw(hair_);
   light(settings_, hair_, profile_);
@@ -84,7 +114,7 @@ void Simulation::restart(const BodyState& body, float settle) {
 }
 
 void Simulation::teleport(const RigidTransform& worldFromHead) {
-  requireFrame({worldFromHead, {}});
+  requireHead(worldFromHead);
   hair::teleport(worldFromHead, hair_);
   body_.worldFromHead = worldFromHead;
   body_.capsules = hair_.capsules;
@@ -106,12 +136,15 @@ void Simulation::changeColliders(const BodyState& body) {
 
 void Simulation::setSettings(const FrameSettings& settings) {
   validate(settings);
-  for (const Light& light : settings.lights) lightSpaceOf(light, hair_.pivot());
+  requireLights(settings, hair_.pivot());
+  requireFit(settings, *groom_);
   settings_ = settings;
 }
 
 bool Simulation::setGroom(std::shared_ptr<const Groom> groom) {
-  const bool goesOn = changeGroom(checked(groom), settings_, hair_);
+  requireFit(settings_, checked(groom));
+  requireLights(settings_, hair_.pivot());
+  const bool goesOn = changeGroom(*groom, settings_, hair_);
   groom_ = std::move(groom);
   detail_.reset();
   relight();
@@ -144,7 +177,9 @@ void Simulation::save(std::ostream& out) const {
 }
 
 void Simulation::restore(std::istream& in) {
-  restoreState(in, hair_);
+  SavedState state = readState(in, hair_);
+  requireHead(state.worldFromHead);
+  assignState(std::move(state), hair_);
   body_.worldFromHead = hair_.worldFromHead;
   body_.capsules = hair_.capsules;
   // A state saved after a teleport has no scenery. Meshes are known only if their number matched.

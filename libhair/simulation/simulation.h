@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <libhair/core/api.h>
-#include <libhair/guides/measure.h>
+#include <libhair/guides/guide_strands.h>
 #include <libhair/model/level_of_detail.h>
 #include <libhair/simulation/frame.h>
 
@@ -122,6 +122,8 @@ class Simulation {
     BodyState state() const { return {worldFromHead, capsules, {planes, meshes}}; }
     void assign(const BodyState& body);
   };
+  void requireLight(const RigidTransform& worldFromHead) const;
+  void requireHead(const RigidTransform& worldFromHead) const;
   void requireFrame(const BodyState& body) const;
 
   std::shared_ptr<const Groom> groom_;

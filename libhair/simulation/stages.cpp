@@ -4,12 +4,10 @@
 #include <utility>
 
 #include <libhair/core/error.h>
-#include <libhair/shade/encode.h>
-#include <libhair/shadow/deposit.h>
-#include <libhair/shadow/filter.h>
-#include <libhair/shadow/occlude.h>
-#include <libhair/shadow/transmittance.h>
-#include <libhair/simulation/scene_changes.h>
+#include <libhair/density/grid_cells.h>
+#include <libhair/shade/appearance.h>
+#include <libhair/shadow/density_map.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair {
 
@@ -71,11 +69,17 @@ void fillFittingMap(const DrawnHair& drawn, const Light& light, const FrameSetti
 
 }  // namespace
 
-void applyLevel(Hair& hair) {
+void requireLevel(const Hair& hair) {
   if (hair.level == hair.wisps.drawn.level) return;
+  validate(hair.level);
   require(hair.detail,
           "level of detail: Hair::level is set, but Hair::detail is null; make a "
           "GroomDetail of the groom");
+}
+
+void applyLevel(Hair& hair) {
+  if (hair.level == hair.wisps.drawn.level) return;
+  requireLevel(hair);
   setLevel(*hair.detail, hair.level, hair.wisps);
   hair.visibility.clear();  // it had one value for each old point
 }
@@ -113,7 +117,7 @@ void moveGuides(const BodyState& body, const FrameSettings& settings, float seco
   if (settings.selfCollision) {
     motion.push = hair.repulsion.push;
     const bool measured = hair.repulsion.windShare.size() == hair.guides.position.size();
-    if (settings.wind.shelter > 0 && measured) motion.windShare = hair.repulsion.windShare;
+    if (settings.wind.occlusion > 0 && measured) motion.windShare = hair.repulsion.windShare;
   }
   stepGuides(motion, settings.guides, seconds, HairScratch::guides(hair), hair.guides);
 }
@@ -132,7 +136,7 @@ void repelFromDensity(const FrameSettings& settings, float seconds, Hair& hair,
   measureDensity(countedStrands(settings.repulsion, hair), hair.groom->fibre, settings.repulsion,
                  hair.repulsion.density);
   for (int i = 0; i < turns; ++i) repel(hair.guides, settings.repulsion, hair.repulsion);
-  if (settings.wind.shelter > 0) shelter(hair.guides, settings.wind, hair.repulsion);
+  if (settings.wind.occlusion > 0) occludeWind(hair.guides, settings.wind, hair.repulsion);
 }
 
 void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
@@ -148,7 +152,7 @@ void shadow(const FrameSettings& settings, Hair& hair, FrameProfile& profile) {
       fillFittingMap(drawn, settings.lights[l], settings, hair, map);
     }
     {
-      const auto cells = static_cast<std::int64_t>(map.grid.bricks.size() * brick::kCells);
+      const auto cells = static_cast<std::int64_t>(map.grid.brickCount() * brick::kCells);
       const StageTimer timer(profile, Stage::Transmittance, cells);
       computeTransmittance(map);
     }

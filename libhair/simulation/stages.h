@@ -25,6 +25,9 @@ void assignSpan(std::span<const T> from, std::vector<T>& to) {
 // The stages of a frame, in order. Each calls one folder of the library with the hair's data, and
 // fills its field of the profile.
 
+/// Throws Error where applyLevel would.
+void requireLevel(const Hair& hair);
+
 /// Applies Hair::level where it has changed. Throws Error without Hair::detail.
 void applyLevel(Hair& hair);
 

@@ -8,6 +8,7 @@
 #include <libhair/core/parallel.h>
 #include <libhair/guides/guide_strands.h>
 #include <libhair/model/resample.h>
+#include <libhair/wisps/guide_curves.h>
 #include <libhair/wisps/wisps.h>
 
 namespace hair {
@@ -68,7 +69,7 @@ void keepShape(StrandView strands, Groom& groom) {
       const std::uint32_t n = groom.first[s + 1] - groom.first[s];
       for (std::uint32_t k = 0; k < n; ++k) {
         const std::size_t at = groom.first[s] + k;
-        const auto frame = wisps.curves.frame(groom.parents[s].x, wisps.sampleOf(k, n));
+        const auto frame = wisps.curves->frame(groom.parents[s].x, wisps.sampleOf(k, n));
         groom.offsets[at] = frame.fromWorld(strands.points[at] - wisps.points[at]);
       }
     }
@@ -78,10 +79,8 @@ void keepShape(StrandView strands, Groom& groom) {
 Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
   validate(strands, "bindGroom", 2);
   require(strands.strandCount() > 0, "bindGroom: no strands");
-  require(settings.guides >= 1, "bindGroom: guides = 0; take at least 1");
-  require(settings.pointsPerGuide >= 2 && settings.pointsPerGuide <= kMaxGuidePoints,
-          "bindGroom: pointsPerGuide = ", settings.pointsPerGuide, " is not in 2 to ",
-          kMaxGuidePoints);
+  static_assert(rangeOf(&BindSettings::pointsPerGuide).most() == kMaxGuidePoints);
+  validateFields(settings, "bindGroom");
   const auto features = featuresOf(strands, settings.shapeWeight);
   const auto guides = chooseGuides(features, settings.guides);
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <libhair/core/api.h>
+#include <libhair/core/fields.h>
 #include <libhair/core/strands.h>
 #include <libhair/model/groom.h>
 
@@ -21,9 +22,17 @@ inline float hairsEach(std::size_t strands, float hairs = kHairsOnHead) {
 /// Choice of guides among strands.
 struct BindSettings {
   std::uint32_t guides = 402;         ///< number of guides, >= 1; at most the number of strands
-  std::uint32_t pointsPerGuide = 16;  ///< 2 to kMaxGuidePoints
+  std::uint32_t pointsPerGuide = 16;  ///< of every guide
   float shapeWeight = 0.5f;           ///< weight of differences of shape over those of roots, >= 0
 };
+
+/// Its fields and their ranges (core/fields.h).
+constexpr auto fieldsOf(const BindSettings*) {
+  using S = BindSettings;
+  return std::tuple(Field("guides", &S::guides, "[1, inf)"),
+                    Field("pointsPerGuide", &S::pointsPerGuide, "[2, 64]"),
+                    Field("shapeWeight", &S::shapeWeight, "[0, inf)"));
+}
 
 /// A groom from loaded strands (head space, at least 2 points each). Guides are some of the
 /// strands, far from each other in root and shape; every strand follows its three nearest guides,

@@ -40,15 +40,15 @@ struct Strand {
 
   HWY_INLINE Strand(const Wisps& w, std::size_t strand)
       : wisps(w),
-        obstacles(w.obstacles),
+        obstacles(*w.obstacles),
         s(strand),
         first(w.groom->first[s]),
         n(w.groom->first[s + 1] - first),
         main(w.groom->parents[s].x),
-        room(obstacles.roomOf(main, w.curves.samples)),
+        room(obstacles.roomOf(main, w.curves->samples)),
         table(w.sampleTable.data() + w.tableOf[n]),
         weights(w.groom->weights[s]) {
-    for (int j = 0; j < 3; ++j) curves[j] = w.curves.row(w.groom->parents[s][j], 0);
+    for (int j = 0; j < 3; ++j) curves[j] = w.curves->row(w.groom->parents[s][j], 0);
   }
 
   std::size_t blockAt(std::size_t k) const { return n > kLanes ? std::min(k, n - kLanes) : 0; }
@@ -75,7 +75,7 @@ struct Strand {
       return gather(row, a.sample);
   }
   HWY_INLINE Vec3 vector(int parent, std::size_t component, const At& a) const {
-    const std::size_t samples = wisps.curves.samples;
+    const std::size_t samples = wisps.curves->samples;
     const float* x = curves[parent] + component * samples;
     return {load(x, a), load(x + samples, a), load(x + 2 * samples, a)};
   }
@@ -156,7 +156,7 @@ struct Strand {
       }
     }
     // Test against capsules, planes and meshes in the same way.
-    const Mask open = look & !(stray2 < load(room + wisps.curves.samples, a));
+    const Mask open = look & !(stray2 < load(room + wisps.curves->samples, a));
     if (any(open)) {
       for (std::uint64_t rest = capsulesNear(stray2, open); rest != 0; rest &= rest - 1) {
         const WispObstacles::Axis& c =
@@ -253,7 +253,7 @@ struct Strand {
   // Draws the last point alone, by the scalar form of `multi`, where it would need a block of its
   // own. False if the guide's room does not clear it of obstacles: it must be drawn as a block.
   HWY_INLINE bool drawTip(glm::vec3* points) const {
-    const std::size_t k = n - 1, samples = wisps.curves.samples;
+    const std::size_t k = n - 1, samples = wisps.curves->samples;
     const auto sample = kEven ? k : static_cast<std::size_t>(table[k]);
     const auto at = [&](int parent, std::size_t component) {
       const float* x = curves[parent] + component * samples + sample;
@@ -293,7 +293,7 @@ struct Strand {
 // Not inlined, so that there is one copy of all that is inlined into it.
 HWY_NOINLINE void drawStrand(const Wisps& wisps, std::size_t s, glm::vec3* points) {
   const std::uint32_t* first = wisps.groom->first.data();
-  if (first[s + 1] - first[s] == wisps.curves.samples)
+  if (first[s + 1] - first[s] == wisps.curves->samples)
     Strand<true>(wisps, s).draw(points);
   else
     Strand<false>(wisps, s).draw(points);

@@ -3,10 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/guides/guide_strands.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Guides as smooth curves: Catmull-Rom through the points of each guide (Bertails et al. 2005,
 /// section 3.1), sampled evenly in its parameter, with a frame carried along by parallel transport.

@@ -1,4 +1,4 @@
-#include <libhair/wisps/level.h>
+#include <libhair/wisps/wisps.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
-#include <libhair/model/head_fit.h>
+#include <libhair/model/head.h>
 
 namespace hair {
 

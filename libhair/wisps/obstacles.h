@@ -3,11 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/guides/contact.h>
 #include <libhair/wisps/guide_curves.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Colliders of the drawn strands, and the distance from the guides to them ("room"): most points
 /// are nearer to their main guide than that, and need no collision test.

@@ -7,14 +7,15 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/geometry/mesh_sdf.h>
+#include <libhair/wisps/guide_curves.h>
+#include <libhair/wisps/obstacles.h>
 
 namespace hair {
 
 namespace {
 
 void check(const Groom& groom, const WispSettings& settings) {
-  require(settings.clearance >= 0 && settings.clearance < 0.1f,
-          "wisp settings: clearance = ", settings.clearance, " is not in [0, 0.1) m");
+  validateFields(settings, "wisp settings");
   validateStrands(groom);
 }
 
@@ -47,7 +48,8 @@ Wisps::Wisps(const Groom& groom_, const GuideStrands& guidesAtRest, const WispSe
     : groom((check(groom_, settings_), &groom_)),
       settings(settings_),
       points(groom_.pointCount()),
-      curves(guidesAtRest, longestStrand(groom_)) {
+      curves(std::make_unique<GuideCurves>(guidesAtRest, longestStrand(groom_))),
+      obstacles(std::make_unique<WispObstacles>()) {
   fillSampleTable(*this);
   rootOffsets.resize(groom->strandCount());
   clearance.resize(groom->strandCount(), settings.clearance);
@@ -56,18 +58,28 @@ Wisps::Wisps(const Groom& groom_, const GuideStrands& guidesAtRest, const WispSe
   for (std::size_t s = 0; s < groom->strandCount(); ++s) {
     const std::uint32_t begin = groom->first[s], end = groom->first[s + 1];
     const std::uint32_t main = groom->parents[s].x;
-    const GuideCurves::Frame frame = curves.frame(main, 0);
-    rootOffsets[s] = frame.fromWorld(points[begin] - curves.point(main, 0));
+    const GuideCurves::Frame frame = curves->frame(main, 0);
+    rootOffsets[s] = frame.fromWorld(points[begin] - curves->point(main, 0));
     if (!groom->offsets.empty()) rootOffsets[s] -= groom->offsets[begin];
     for (std::uint32_t p = begin + 1; head && p < end; ++p)
       clearance[s] = std::min(clearance[s], head->distance(headFromWorld.point(points[p])));
   }
 }
 
+Wisps::~Wisps() = default;
+Wisps::Wisps(Wisps&&) noexcept = default;
+Wisps& Wisps::operator=(Wisps&&) noexcept = default;
+
+std::uint32_t Wisps::sampleOf(std::uint32_t k, std::uint32_t n) const {
+  const std::uint64_t last = n - 1;
+  return static_cast<std::uint32_t>((2 * std::uint64_t{k} * (curves->samples - 1) + last) /
+                                    (2 * last));
+}
+
 void prepareWisps(const GuideStrands& guides, const ColliderState& colliders, Wisps& wisps) {
-  sampleGuides(guides, wisps.curves);
+  sampleGuides(guides, *wisps.curves);
   findObstacles(wisps.settings.avoidColliders ? colliders : ColliderState{},
-                wisps.settings.clearance, wisps.curves, wisps.obstacles);
+                wisps.settings.clearance, *wisps.curves, *wisps.obstacles);
 }
 
 void interpolateWisps(const GuideStrands& guides, const ColliderState& colliders, Wisps& wisps) {

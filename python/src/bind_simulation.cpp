@@ -24,7 +24,7 @@ void bindPlacedField(py::module_& m) {
              return PlacedField{std::move(field), worldFromMesh, scale};
            }),
            py::arg("field").none(false), py::arg("world_from_mesh") = RigidTransform{},
-           py::arg("scale") = 1.0f, "field: DistanceField; scale: (0, 1000).")
+           py::arg("scale") = 1.0f, "field: DistanceField; scale: [1e-6, 1000).")
       .def_readonly("field", &PlacedField::field, "DistanceField.")
       .def_readonly("world_from_mesh", &PlacedField::worldFromMesh, "Transform.")
       .def_readonly("scale", &PlacedField::scale, "Of the mesh in the world.")

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include <libhair/core/error.h>
-#include <libhair/density/deposit.h>
+#include <libhair/density/density_grid.h>
 
 #include "choices.h"
 #include "topics.h"
@@ -141,7 +141,7 @@ clear(), deposit() as often as there is hair, then density() or density_grid().)
       .def("__repr__", [](const Grid& grid) {
         const DensityGridSettings& s = grid.grid().settings;
         return text("<DensityGrid: ", s.cells, "³ cells of ", 1000 * s.cellSize, " mm, ",
-                    grid.grid().bricks.size(), " bricks>");
+                    grid.grid().brickCount(), " bricks>");
       });
 }
 

@@ -1,9 +1,6 @@
 // The density map, pass by pass.
 #include <libhair/core/error.h>
-#include <libhair/shadow/deposit.h>
-#include <libhair/shadow/filter.h>
-#include <libhair/shadow/occlude.h>
-#include <libhair/shadow/transmittance.h>
+#include <libhair/shadow/density_map.h>
 
 #include "choices.h"
 #include "density_grid.h"
@@ -146,7 +143,7 @@ compute_transmittance(), then sample() or sample_strands().)")
       .def("__repr__", [](const Map& map) {
         const DensityMapSettings& s = map.map().settings;
         return text("<DensityMap: ", s.cells, "³ cells of ", 1000 * s.cellSize, " mm, ",
-                    map.map().grid.bricks.size(), " bricks>");
+                    map.map().grid.brickCount(), " bricks>");
       });
 }
 

@@ -1,19 +1,39 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
+
+#include <libhair/core/fields.h>
 
 #include "arrays.h"
 #include "choices.h"
 
 namespace hair::python {
 
-/// A class of settings: fields by keyword, defaults those of the C++ class, `==`, repr, copies
-/// (also with some fields changed), pickling.
+/// The comment of a struct (member "") or of its member in C++, written by member_docs.py.
+inline const char* memberDoc(std::string_view type, std::string_view member) {
+  struct Row {
+    std::string_view type, member;
+    const char* doc;
+  };
+  static constexpr Row kRows[] = {
+#include "member_docs.inl"
+  };
+  for (const Row& row : kRows)
+    if (row.type == type && row.member == member) return row.doc;
+  throw std::logic_error(text(type, "::", member,
+                              " has no comment, or is not in a header that "
+                              "python/CMakeLists.txt gives to member_docs.py"));
+}
+
+/// A class of settings with a table of fields (core/fields.h): fields by keyword, defaults those of
+/// the C++ class, `==`, repr, copies (also with some fields changed), pickling.
 template <class T>
 class Fields {
  public:
-  Fields(py::module_& m, const char* name, const char* doc) : class_(m, name, doc), name_(name) {
+  Fields(py::module_& m, const char* name) : class_(m, name, memberDoc(name, "")), name_(name) {
     class_.def(py::init([name = name_](const py::kwargs& fields) {
                  auto value = std::make_unique<T>();
                  set(py::cast(value.get(), py::return_value_policy::reference), fields, name);
@@ -55,28 +75,36 @@ class Fields {
       return name + "(" + all + ")";
     });
     class_.attr("_fields") = py::tuple();
+    forFields<T>([&](const auto& field) { add(field.name, field.member); });
   }
 
-  /// `member`: of T, or of what T is derived from.
-  template <class M, class C>
-    requires std::is_base_of_v<C, T>
-  Fields& field(const char* name, M C::* member, const char* doc) {
-    class_.def_readwrite(name, member, doc);
-    return add(name);
-  }
+  /// Reads and writes a field in a way of its own.
   template <class Get, class Set>
-  Fields& field(const char* name, Get get, Set set, const char* doc) {
-    class_.def_property(name, get, set, doc);
-    return add(name);
+  Fields& property(const char* name, Get get, Set set) {
+    class_.def_property(name, get, set, memberDoc(name_, name));
+    return *this;
   }
 
   py::class_<T>& type() { return class_; }
 
  private:
-  Fields& add(const char* name) {
+  template <class M, class C>
+  void add(std::string_view own, M C::* member) {
+    const std::string name = snakeCase(own);
+    std::string doc = docOf<C>(own);
+    if constexpr (HasWords<M>) doc += " One of: " + allWords<M>() + ".";
+    class_.def_readwrite(name.c_str(), member, doc.c_str());
     const py::tuple before = class_.attr("_fields");
     class_.attr("_fields") = before + py::make_tuple(name);
-    return *this;
+  }
+
+  // A field of what T is derived from has its comment there.
+  template <class C>
+  const char* docOf(std::string_view member) const {
+    if constexpr (std::is_same_v<C, T>)
+      return memberDoc(name_, member);
+    else
+      return memberDoc(py::cast<std::string>(py::type::of<C>().attr("__name__")), member);
   }
 
   static void set(const py::object& value, const py::kwargs& fields, const std::string& name) {

@@ -3,7 +3,6 @@
 
 #include <libhair/core/error.h>
 #include <libhair/model/head.h>
-#include <libhair/model/head_fit.h>
 
 #include "choices.h"
 #include "strands.h"

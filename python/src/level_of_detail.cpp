@@ -1,7 +1,7 @@
 // How much of a groom is drawn.
 #include "level_of_detail.h"
 
-#include <libhair/wisps/level.h>
+#include <libhair/wisps/wisps.h>
 
 #include "fields.h"
 #include "groom.h"
@@ -43,22 +43,8 @@ void bindDetail(py::module_& m) {
 }  // namespace
 
 void bindLevels(py::module_& m) {
-  Fields<LevelOfDetail>(m, "LevelOfDetail",
-                        "How much of a groom is drawn; without arguments, all of it.")
-      .field("strands", &LevelOfDetail::strands, "Share drawn at full width, (0, 1].")
-      .field("fade", &LevelOfDetail::fade,
-             "So many more, as a share of those, are on their way out, (0, 1].")
-      .field("points", &LevelOfDetail::points, "Share of a strand's segments, (0, 1].")
-      .field("cell_size", &LevelOfDetail::cellSize,
-             "What cells of shadow maps measure at least, metres; 0: as they are set.");
-  Fields<DetailSettings>(m, "DetailSettings", "What a picture needs of hair, per pixel.")
-      .field("strands_per_pixel", &DetailSettings::strandsPerPixel,
-             "Strands of the whole groom, per pixel of the head's height.")
-      .field("pixels_off", &DetailSettings::pixelsOff,
-             "How far strands may be from where they were, pixels.")
-      .field("pixels_per_cell", &DetailSettings::pixelsPerCell,
-             "What a cell of a shadow map measures at least.")
-      .field("fade", &DetailSettings::fade, "LevelOfDetail.fade.");
+  Fields<LevelOfDetail>(m, "LevelOfDetail");
+  Fields<DetailSettings>(m, "DetailSettings");
   bindDetail(m);
   m.def("head_pixels", &headPixels, py::arg("distance"), py::arg("field_of_view"),
         py::arg("picture_height"),

@@ -13,7 +13,7 @@ namespace hair::python {
 namespace {
 
 std::vector<std::string> notesOf(const Motion& motion) {
-  std::vector<std::string> notes = motion.body().notes;
+  std::vector<std::string> notes(motion.notes().begin(), motion.notes().end());
   if (motion.droppedFrames() > 0)
     notes.push_back(
         text("dropped ", motion.droppedFrames(), " frames of a calibration pose at the start"));
@@ -103,7 +103,7 @@ first_frame, last_frame: of the clip, one past the last; 0: to the end.)")
           [](const Motion& motion, const BodyPose& pose) {
             return withoutLock([&] {
               auto mesh = std::make_shared<TriangleMesh>();
-              require(pose.worldFromJoint.size() == motion.body().skeleton.jointCount(),
+              require(pose.worldFromJoint.size() == motion.clip().skeleton.jointCount(),
                       "body_mesh: a pose of ", pose.worldFromJoint.size(),
                       " joints; take one of this motion (pose)");
               BodyMesh(motion.body()).skin(pose.worldFromJoint, *mesh);
@@ -112,7 +112,7 @@ first_frame, last_frame: of the clip, one past the last; 0: to the end.)")
           },
           py::arg("pose"), "A tailor's dummy in that pose of this motion, a Mesh to look at.")
       .def("__repr__", [](const Motion& motion) {
-        return text("<Motion of ", motion.duration(), " s, ", motion.body().capsules.size(),
+        return text("<Motion of ", motion.duration(), " s, ", motion.pose(0).capsules.size(),
                     " capsules>");
       });
 }

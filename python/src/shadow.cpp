@@ -6,8 +6,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/shade/appearance.h>
-#include <libhair/shade/encode.h>
-#include <libhair/shadow/automatic.h>
+#include <libhair/shadow/density_map.h>
 #include <libhair/shadow/methods/shadow_method.h>
 #include <libhair/wisps/bind.h>
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include <libhair/core/fibre.h>
+#include <libhair/core/strands.h>
 #include <libhair/light/light.h>
 
 #include "strands.h"

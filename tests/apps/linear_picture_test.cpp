@@ -2,36 +2,26 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 
 #include <unistd.h>
 
 #include <gtest/gtest.h>
 
 #include <apps/common/scene_view.h>
-#include <apps/draw/gl_context.h>
 #include <apps/draw/image.h>
-#include <libhair/core/error.h>
 #include <libhair/shade/srgb.h>
+#include <tests/apps/offscreen_test.h>
 
 namespace hair {
 namespace {
 
-TEST(LinearPicture, IsOfLightThatWasNeverBytes) {
-  std::unique_ptr<draw::OffscreenContext> context;
-  try {
-    context = std::make_unique<draw::OffscreenContext>();
-  } catch (const Error& error) {
-    GTEST_SKIP() << error.what();
-  }
-  CharacterOptions options;
-  options.strands = 1000;
-  Character character(options);
+class LinearPicture : public test::OffscreenTest {};
+
+TEST_F(LinearPicture, IsOfLightThatWasNeverBytes) {
+  Character character(fewStrands(1000));
   // A highlight much brighter than a display.
   character.look.specular = 8;
-  PlayerOptions performing;
-  performing.settle = 0.02f;
-  Player player(character, performing);
+  Player player(character, settlesForAMoment());
   draw::RenderSettings how{.samples = 1, .linear = true};
   draw::Renderer renderer(how);
   SceneView view(player);

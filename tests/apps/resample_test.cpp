@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <libhair/core/random.h>
 #include <libhair/model/resample.h>
 
 namespace hair {

@@ -1,13 +1,12 @@
 // What drawing takes, apart from what simulating takes.
 #include <algorithm>
-#include <memory>
 
 #include <gtest/gtest.h>
 
 #include <apps/common/results.h>
 #include <apps/common/scene_view.h>
 #include <apps/draw/gl_context.h>
-#include <libhair/core/error.h>
+#include <tests/apps/offscreen_test.h>
 
 namespace hair {
 namespace {
@@ -37,19 +36,11 @@ TEST(DrawingTimes, TellSoftwareFromGraphicsCards) {
   EXPECT_FALSE(draw::drawsOnCpu("NVIDIA GeForce RTX 3060/PCIe/SSE2"));
 }
 
-TEST(SceneView, ShadesOncePerPictureAndFramesWithoutPictureNotAtAll) {
-  std::unique_ptr<draw::OffscreenContext> context;
-  try {
-    context = std::make_unique<draw::OffscreenContext>();
-  } catch (const Error& error) {
-    GTEST_SKIP() << error.what();
-  }
-  CharacterOptions options;
-  options.strands = 300;
-  const Character character(options);
-  PlayerOptions performing;
-  performing.settle = 0.02f;
-  Player player(character, performing);
+class SceneViewTest : public test::OffscreenTest {};
+
+TEST_F(SceneViewTest, ShadesOncePerPictureAndFramesWithoutPictureNotAtAll) {
+  const Character character(fewStrands(300));
+  Player player(character, settlesForAMoment());
   FrameProfile& profile = player.profile;
   const auto points = static_cast<std::int64_t>(player.hair.strands().pointCount());
   draw::Renderer renderer({1, 64, 1000});

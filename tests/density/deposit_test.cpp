@@ -140,7 +140,7 @@ TEST(Deposit, NegativeAndFarPointsFallIntoTheCellOfThePapersMapping) {
         const auto cell = static_cast<long long>(std::floor(v / 0.25));
         return static_cast<int>((cell % 10 + 10) % 10);
       };
-      EXPECT_EQ(grid.bricks.count({psi(far + x), psi(0.1), psi(-far - 0.1)}), 1u)
+      EXPECT_EQ(grid.cells->bricks.count({psi(far + x), psi(0.1), psi(-far - 0.1)}), 1u)
           << far << " " << x;
     }
   }

@@ -10,7 +10,8 @@
 #include <libhair/core/random.h>
 #include <libhair/core/strands.h>
 #include <libhair/core/transform.h>
-#include <libhair/density/deposit.h>
+#include <libhair/density/density_grid.h>
+#include <libhair/density/grid_cells.h>
 
 namespace hair::test {
 
@@ -87,8 +88,8 @@ inline GridSpace about(glm::vec3 focus) {
 /// Sum over all cells, of the amount that was deposited.
 inline double total(const DensityGrid& grid) {
   double sum = 0;
-  for (std::uint32_t slot = 1; slot <= grid.bricks.size(); ++slot)
-    for (std::size_t c = 0; c < brick::kCells; ++c) sum += grid.bricks.cells(slot)[c];
+  for (std::uint32_t slot = 1; slot <= grid.cells->bricks.size(); ++slot)
+    for (std::size_t c = 0; c < brick::kCells; ++c) sum += grid.cells->bricks.cells(slot)[c];
   return sum * static_cast<double>(grid.quantum);
 }
 

@@ -29,7 +29,7 @@ Counts countsOf(const DensityGrid& grid) {
   for (int x = 0; x < n; ++x)
     for (int y = 0; y < n; ++y)
       for (int z = 0; z < n; ++z)
-        if (const std::uint32_t c = grid.bricks.count({x, y, z})) counts[{x, y, z}] = c;
+        if (const std::uint32_t c = grid.cells->bricks.count({x, y, z})) counts[{x, y, z}] = c;
   return counts;
 }
 
@@ -51,17 +51,18 @@ Counts oneByOne(StrandView strands, const SegmentMeasure& measure, const Density
   const DensityGridSettings& settings = grid.settings;
   const auto perCell =
       static_cast<float>(measure.perMetre * static_cast<double>(settings.cellSize));
-  const SegmentScale scale{measure.of, perCell * static_cast<float>(stride) / kQuantum, grid.frame};
+  const SegmentScale scale{measure.of, perCell * static_cast<float>(stride) / kQuantum,
+                           grid.cells->frame};
   PlainWriter writer{grid, {}};
   for (std::size_t s = 0; s < strands.strandCount(); s += stride) {
     const auto points = strands.strand(s);
     Rounder rounder;
     for (std::size_t p = 0; p < points.size(); ++p) {
-      const glm::vec3 b = grid.frame.cellCoordinates(points[p]);
+      const glm::vec3 b = grid.cells->frame.cellCoordinates(points[p]);
       if (settings.deposit == Deposit::Points) {
         writer.add(floorToCell(b), stride);
       } else if (p > 0) {
-        const glm::vec3 a = grid.frame.cellCoordinates(points[p - 1]);
+        const glm::vec3 a = grid.cells->frame.cellCoordinates(points[p - 1]);
         depositColumns(a, b, rounder.take(scale.amount(a, b)), static_cast<float>(settings.cells),
                        writer);
       }

@@ -1,3 +1,6 @@
+#include <cctype>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <libhair/files/bvh_file.h>
@@ -92,20 +95,23 @@ TEST(Bvh, ErrorsNameFileLineAndCause) {
        "a.bvh: line 7: OFFSET: 'nan' is no finite number"},
       {replaced(good, "+1 -2 3e-1", "+1 -2"), "a.bvh: line 7: OFFSET: a number is missing"},
       {replaced(good, "End Site", "End Effector"), "a.bvh: line 9: 'End Effector'"},
-      {replaced(good, "OFFSET 0 -1 0\n", "CHANNELS 0\n"), "line 11: an end site has no channels"},
       {replaced(good, "OFFSET 0 -1 0\n", "JOINT x\n"), "line 11: an end site has no children"},
       {replaced(good, "JOINT fixed", "ROOT fixed"), "line 14: ROOT inside another joint"},
       {replaced(good, "JOINT fixed", "JOINT"), "line 14: a joint without a name"},
       {replaced(good, "JOINT fixed\n  {", "JOINT fixed\n"), "'{' expected after joint 'fixed'"},
       {replaced(good, "}\n\nMOTION", "MOTION"), "MOTION before joint 'hip' is closed"},
-      {replaced(good, "Frames:\t2", "Frames:\t3") + std::string(20, '\n'),
-       "the file ends after 2 of 3 frames (truncated)"},
-      {replaced(good, "Frames:\t2", "Frames:\t1"), "line 31: text after the 1 frames announced"},
+      {replaced(good, "Frames:\t2", "Frames:\t4") + std::string(20, '\n'),
+       "the file ends after 2 of 4 frames (truncated)"},
       {replaced(good, "Frames:\t2", "Frames:\t-2"), "line 27: Frames: -2"},
       {replaced(good, "Frames:\t2", "Frames:\t9223372036854775807"),
        "line 28: Frames: 9223372036854775807 of 10 numbers do not fit"},
       {replaced(good, "Frames:\t2", "Frames:\t9223372036854775808"), "line 27: Frames:"},
-      {replaced(good, "0.00833333", "0"), "line 28: Frame Time: 0 is not above zero"},
+      {replaced(good, "0.00833333", "-1"), "line 28: Frame Time: -1 is not above zero"},
+      {replaced(good, "9 10 ", "x 10 "), "line 29: channel: 'x' is no finite number"},
+      {replaced(good, "-8 -9", "-8"), "line 31: frame 1 has 9 of 10 numbers"},
+      {replaced(good, "CHANNELS 0", "CHANNELS 0 # none\n}"),
+       "line 25: unexpected '}' outside of any joint"},
+      {"\xFF\xFEH", "UTF-16"},
       {replaced(good, "9 10", "9"), "line 29: frame 0 has 9 of 10 numbers"},
       {replaced(good, "9 10", "9 10 11"), "line 29: frame 0 has more than 10 numbers"},
       {replaced(good, "9 10", "9 1e39"), "line 29: channel: '1e39' is no finite number"},
@@ -117,6 +123,89 @@ TEST(Bvh, ErrorsNameFileLineAndCause) {
   for (const auto& [bytes, want] : cases)
     EXPECT_NE(error(bytes).find(want), std::string::npos)
         << "want: " << want << "\ngot:  " << error(bytes);
+}
+
+/// What a dialect says must be what the plain spelling says.
+void expectSame(const Bvh& got, const Bvh& want, const std::string& what) {
+  EXPECT_EQ(got.values, want.values) << what;
+  EXPECT_EQ(got.channelCount, want.channelCount) << what;
+  ASSERT_EQ(got.joints.size(), want.joints.size()) << what;
+  for (std::size_t j = 0; j < want.joints.size(); ++j) {
+    EXPECT_EQ(got.joints[j].name, want.joints[j].name) << what;
+    EXPECT_EQ(got.joints[j].parent, want.joints[j].parent) << what;
+    EXPECT_EQ(got.joints[j].offset, want.joints[j].offset) << what;
+    EXPECT_EQ(got.joints[j].channels, want.joints[j].channels) << what;
+  }
+}
+
+TEST(Bvh, DialectsSayTheSame) {
+  const std::string good = sampleBvh();
+  const Bvh want = parseBvh(good, "a.bvh");
+  EXPECT_TRUE(want.notes.empty());
+  const auto lowered = [](std::string s, const std::string& word) {
+    for (std::size_t at = 0; (at = s.find(word, at)) != std::string::npos; ++at)
+      for (std::size_t i = 0; i < word.size(); ++i)
+        s[at + i] = static_cast<char>(std::tolower(static_cast<unsigned char>(s[at + i])));
+    return s;
+  };
+  std::string lower = good;
+  for (const char* word : {"HIERARCHY", "ROOT", "OFFSET", "CHANNELS", "JOINT", "End Site", "MOTION",
+                           "Frames", "Frame Time", "Xposition", "Yrotation"})
+    lower = lowered(lower, word);
+  const std::pair<std::string, std::size_t> cases[] = {
+      // and how many notes
+      {lower, 0},
+      {replaced(good, "Frames:\t2", "FRAMES :2"), 0},
+      {replaced(good, "Frame Time: ", "Frame  Time:"), 0},
+      {replaced(good, "End Site", "End Site Tip"), 0},
+      {replaced(good, "End Site", "EndSite"), 0},
+      {replaced(good, "OFFSET 0 5 0\n    CHANNELS 0\n", "OFFSET 0 5 0 CHANNELS 0 "), 0},
+      {replaced(good, "    }\n  }\n}\n", "}}} // done\n"), 0},
+      {replaced(good, "ROOT hip\n{\r\n", "ROOT hip{"), 0},
+      {replaced(good, "MOTION", "# by hand\nMOTION ; rows"), 0},
+      {replaced(good, "OFFSET 0 5 0", "OFFSET 0 5 0 // up"), 0},
+      {replaced(good, "\n\n-1\t", "\n# second\n-1\t"), 0},
+      {replaced(good, "4 5 6", "4\n5\n6"), 1},
+      {good + "\x1a", 1},
+      {good + "# end\n", 0},
+      {good + "end of motion", 1},
+      {good + std::string(3, '\0'), 1},
+      {replaced(good, "Frames:\t2", "Frames:\t1"), 1},
+      {replaced(good, "Frames:\t2", "Frames:\t3"), 1},
+  };
+  for (const auto& [bytes, notes] : cases) {
+    SCOPED_TRACE(bytes.substr(0, 900));
+    const Bvh got = parseBvh(bytes, "a.bvh");
+    expectSame(got, want, "");
+    EXPECT_EQ(got.frameTime, want.frameTime);
+    EXPECT_EQ(got.notes.size(), notes);
+  }
+}
+
+TEST(Bvh, AnEndSiteMayHaveChannelsWhichTakeTheirPlaceInTheRow) {
+  const Bvh bvh = parseBvh(
+      "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\nEnd Site\n{\nOFFSET 0 1 0\n"
+      "CHANNELS 1 Yrotation\n}\nJOINT b\n{\nOFFSET 0 2 0\nCHANNELS 1 Zrotation\n}\n}\nMOTION\n"
+      "Frames: 1\nFrame Time: 0.1\n1 2 3\n",
+      "a.bvh");
+  EXPECT_EQ(bvh.channelCount, 3u);
+  EXPECT_EQ(bvh.joints[2].name, "b");
+  EXPECT_EQ(bvh.joints[2].firstChannel, 2u);
+}
+
+TEST(Bvh, AFrameTimeThatCannotBeIsARateOrMilliseconds) {
+  EXPECT_EQ(frameTimeMeant(0.0166667), 0.0166667);
+  EXPECT_EQ(frameTimeMeant(0.5), 0.5);
+  // As a writer of seven decimals has it: the same clip moves the same.
+  for (double rate : {24.0, 25.0, 30.0, 60.0, 100.0, 120.0, 240.0})
+    for (double stated : {rate, 1000 / rate, std::round(1e6 / rate)})
+      EXPECT_NEAR(frameTimeMeant(stated), 1 / rate, 6e-8) << stated;
+  EXPECT_EQ(frameTimeMeant(60), 0.0166667);
+  EXPECT_EQ(frameTimeMeant(0), 0.0166667);
+  EXPECT_NEAR(frameTimeMeant(59.94), 1 / 59.94, 6e-8);
+  const Bvh bvh = parseBvh(replaced(sampleBvh(), "0.00833333", "120"), "a.bvh");
+  ASSERT_EQ(bvh.notes.size(), 1u);
+  EXPECT_NE(bvh.notes[0].find("120 frames a second"), std::string::npos) << bvh.notes[0];
 }
 
 }  // namespace

@@ -67,11 +67,15 @@ TEST(Damage, EveryTruncationOfABinaryFileIsAnError) {
 
 TEST(Damage, EveryTruncationOfABvhFileIsAnErrorUpToItsLastNumber) {
   const std::string sample = sampleBvh();
+  // Between the rows of its two frames the file is whole but for a frame, which is forgiven.
+  const std::size_t betweenRows = sample.find("10 \r\n") + 4, lastRow = sample.rfind("\n\n") + 2;
   for (std::size_t size = 0; size < sample.size(); ++size) {
     // "-1e1" cut short is "-1e", no number, or "-1", another number: a file without its last line
     // end cannot tell.
     const bool lastNumberStands = size == sample.size() - 1 || size == sample.size() - 3;
-    EXPECT_EQ(fuzzBvh(std::string_view(sample).substr(0, size)), lastNumberStands) << size;
+    EXPECT_EQ(fuzzBvh(std::string_view(sample).substr(0, size)),
+              lastNumberStands || (size >= betweenRows && size <= lastRow))
+        << size;
   }
 }
 

@@ -28,7 +28,7 @@ StrandSet randomStrands() {
 
 TEST(ConvertUnits, IsARotationForEveryAxisAndNeverMirrors) {
   for (UpAxis up : kAllUps) {
-    SCOPED_TRACE(upAxisText(up));
+    SCOPED_TRACE(wordOf(up));
     const glm::mat3 m(converted({1, 0, 0}, 1, up), converted({0, 1, 0}, 1, up),
                       converted({0, 0, 1}, 1, up));
     EXPECT_EQ(glm::determinant(m), 1.0f);
@@ -43,10 +43,10 @@ TEST(ConvertUnits, BringsUpToYAndTheFaceToZ) {
       {UpAxis::YDown, {0, -1, 0}, {0, 0, 1}},
   };
   for (const auto& [up, upward, face] : cases) {
-    SCOPED_TRACE(upAxisText(up));
+    SCOPED_TRACE(wordOf(up));
     EXPECT_EQ(converted(upward, 2, up), glm::vec3(0, 2, 0));
     EXPECT_EQ(converted(face, 2, up), glm::vec3(0, 0, 2));
-    EXPECT_EQ(upAxisFromText(upAxisText(up)), up);
+    EXPECT_EQ(upAxisFromText(wordOf(up)), up);
   }
   EXPECT_NE(errorOf([] { upAxisFromText("up"); }).find("z-back"), std::string::npos);
 }

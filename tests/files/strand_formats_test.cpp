@@ -79,7 +79,7 @@ TEST(StrandFormats, OtherUnitsAndAxesComeBackWithinTwoRoundings) {
   const TemporaryFolder folder;
   for (const Format& format : kFormats)
     for (const UpAxis up : {UpAxis::Y, UpAxis::Z, UpAxis::ZBack, UpAxis::X, UpAxis::YDown}) {
-      SCOPED_TRACE(text(format.extension, ' ', upAxisText(up)));
+      SCOPED_TRACE(text(format.extension, ' ', wordOf(up)));
       StrandFile strands = anyStrands(7, {5, 5, format.holds.arrays});
       for (glm::vec3& p : strands.strands.points) p = glm::clamp(p, -1e5f, 1e5f);
       const auto file = folder / text("a.", format.extension);

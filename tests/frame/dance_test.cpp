@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/parallel.h>
+#include <libhair/wisps/guide_curves.h>
 
 #include "scene.h"
 
@@ -61,8 +62,9 @@ TEST(Dance, StrandsStayWithTheirMainGuideWhereTheHeadIsInTheWay) {
       const auto points = hair.strands().strand(s);
       const auto n = static_cast<std::uint32_t>(points.size());
       for (std::uint32_t k = 0; k < n; ++k)
-        distance = std::max(
-            distance, glm::distance(points[k], hair.wisps.curves.point(hair.groom->parents[s].x,
+        distance =
+            std::max(distance,
+                     glm::distance(points[k], hair.wisps.curves->point(hair.groom->parents[s].x,
                                                                        hair.wisps.sampleOf(k, n))));
     }
     return distance;

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
-#include <libhair/simulation/scene_changes.h>
+#include <libhair/simulation/frame.h>
 #include <tests/guides/sphere_groom.h>
 
 #include "scene.h"

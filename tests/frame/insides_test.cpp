@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <libhair/density/grid_cells.h>
 #include <libhair/simulation/insides.h>
 
 #include "scene.h"
@@ -82,12 +83,12 @@ TEST_F(Insides, ContoursOfTheHeadAreWhereItsDistanceIsZero) {
 TEST_F(Insides, BricksHoldTheHair) {
   const DensityGrid& grid = scene.hair.maps.front().grid;
   const auto lines = linesOf(Inside::Bricks, scene);
-  ASSERT_EQ(lines.size(), 24 * grid.bricks.size());
-  std::vector<Bounds> boxes(grid.bricks.size());
+  ASSERT_EQ(lines.size(), 24 * grid.brickCount());
+  std::vector<Bounds> boxes(grid.brickCount());
   for (std::size_t i = 0; i < lines.size(); ++i)
-    boxes[i / 24].extend(grid.frame.cellCoordinates(lines[i].position));
+    boxes[i / 24].extend(grid.cells->frame.cellCoordinates(lines[i].position));
   for (const glm::vec3 p : scene.hair.wisps.points) {
-    const glm::vec3 u = grid.frame.cellCoordinates(p);
+    const glm::vec3 u = grid.cells->frame.cellCoordinates(p);
     ASSERT_TRUE(std::ranges::any_of(boxes, [&](const Bounds& b) {
       return glm::all(glm::greaterThan(u, b.lower - 1e-2f)) &&
              glm::all(glm::lessThan(u, b.upper + 1e-2f));

@@ -1,5 +1,5 @@
 // Laws of hair at a level of detail, through the whole pipeline.
-#include <libhair/wisps/level.h>
+#include <libhair/wisps/wisps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,9 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
-#include <libhair/shade/encode.h>
-#include <libhair/shadow/deposit.h>
-#include <libhair/shadow/filter.h>
-#include <libhair/shadow/transmittance.h>
+#include <libhair/core/state_hash.h>
+#include <libhair/shade/appearance.h>
+#include <libhair/shadow/density_map.h>
 #include <libhair/wisps/bind.h>
 #include <tests/frame/scene.h>
 

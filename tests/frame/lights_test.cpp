@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/parallel.h>
-#include <libhair/shade/encode.h>
+#include <libhair/shade/appearance.h>
 #include <libhair/simulation/frame.h>
 #include <tests/guides/sphere_groom.h>
 

@@ -8,7 +8,7 @@
 #include <libhair/model/head.h>
 #include <libhair/model/styles.h>
 #include <libhair/motion/motion.h>
-#include <libhair/simulation/hair_state.h>
+#include <libhair/simulation/frame.h>
 #include <libhair/simulation/simulation.h>
 
 namespace hair::test {

@@ -104,7 +104,7 @@ TEST(FrameScenery, ARestartRaisesItSlowly) {
 TEST(FrameScenery, ASavedRunGoesOnWithTheSameBits) {
   FrameSettings settings = Scene::simulationOnly();
   settings.wind.velocity = {0, 0, 5};
-  settings.wind.shelter = 0.5f;
+  settings.wind.occlusion = 0.5f;
   Furnished run(settings), other(settings);
   const auto on = [](Furnished& furnished) {
     furnished.planes[0].point.y += 0.003f;
@@ -122,13 +122,13 @@ TEST(FrameScenery, ASavedRunGoesOnWithTheSameBits) {
   EXPECT_TRUE(stateOf(other.scene.hair) == stateOf(run.scene.hair));
 }
 
-TEST(FrameScenery, ShelterNeedsTheDensityOfSelfCollision) {
-  const auto after = [](bool selfCollision, float shelter) {
+TEST(FrameScenery, WindOcclusionNeedsTheDensityOfSelfCollision) {
+  const auto after = [](bool selfCollision, float occlusion) {
     FrameSettings settings = Scene::simulationOnly();
     settings.selfCollision = selfCollision;
     settings.repulsion.strandStride = 1;
     settings.wind.velocity = {0, 0, 5};
-    settings.wind.shelter = shelter;
+    settings.wind.occlusion = occlusion;
     Scene scene(small(Style::Smooth), Motion::still(), settings);
     for (int f = 0; f < 10; ++f) scene.step();
     return scene.hash();

@@ -8,7 +8,7 @@
 
 #include <apps/common/command_line.h>
 #include <apps/dance/options.h>
-#include <apps/hair/measure_check.h>
+#include <apps/hair/measure/check.h>
 #include <apps/hair/options.h>
 
 #include "promise.h"
@@ -33,7 +33,7 @@ void promiseThreads(int threads) {
 
 void promiseRead(const ReadOptions& read) {
   promise(read.scale == 0 || (read.scale >= 0.9e-9f && read.scale <= 1.1e9f), "--scale");
-  promise(!upAxisText(read.up).empty(), "--up");
+  promise(!wordOf(read.up).empty(), "--up");
 }
 
 void promiseSubject(const CharacterOptions& character) {
@@ -118,7 +118,7 @@ void runConvert(const ConvertOptions& options) {
   promise(options.strands <= 2'000'000'000, "--strands");
   promise(options.points != 1 && options.points <= 65536, "--points");
   promise(options.write.scale >= 0.9e-9f && options.write.scale <= 1.1e9f, "--out-scale");
-  promise(!upAxisText(options.write.up).empty(), "--out-up");
+  promise(!wordOf(options.write.up).empty(), "--out-up");
   promise(options.frame.value_or(0) <= 1'000'000'000, "--frame");
   promise(isStrandFile(options.out), "OUT");
   promise(options.minLength >= 0 && std::isfinite(options.minLength), "--min-length");

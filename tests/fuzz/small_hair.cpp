@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include <libhair/core/state_hash.h>
-#include <libhair/simulation/hair_state.h>
+#include <libhair/simulation/frame.h>
 
 namespace hair {
 
@@ -15,7 +15,7 @@ FrameSettings settingsOf(bool full) {
   settings.selfCollision = full;
   settings.repulsion.threshold = 0;
   settings.repulsion.tolerance = 1;
-  if (full) settings.wind.velocity = {3, 0, 1}, settings.wind.shelter = 1e-4f;
+  if (full) settings.wind.velocity = {3, 0, 1}, settings.wind.occlusion = 1e-4f;
   return settings;
 }
 

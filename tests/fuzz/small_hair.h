@@ -8,7 +8,8 @@
 namespace hair {
 
 /// As little hair as has all that a saved state can hold: two guides of three points, three drawn
-/// strands, a head in motion, a capsule, a plane and a mesh, self-collision and sheltered wind.
+/// strands, a head in motion, a capsule, a plane and a mesh, self-collision and wind that hair
+/// occludes.
 struct SmallHair {
   /// `full`: else without colliders, self-collision and wind.
   explicit SmallHair(bool full = true);

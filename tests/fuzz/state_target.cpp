@@ -4,7 +4,7 @@
 #include <string>
 
 #include <libhair/core/error.h>
-#include <libhair/simulation/hair_state.h>
+#include <libhair/simulation/frame.h>
 
 #include "promise.h"
 #include "small_hair.h"

@@ -17,6 +17,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/instruction_set.h>
 #include <libhair/core/parallel.h>
+#include <libhair/core/state_hash.h>
 
 #include "../frame/scene.h"
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include <libhair/geometry/colliders.h>
-#include <libhair/geometry/shared_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 #include <libhair/geometry/surface_nets.h>
 
 namespace hair::test {

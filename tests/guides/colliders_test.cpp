@@ -10,8 +10,8 @@
 #include <libhair/core/error.h>
 #include <libhair/core/instruction_set.h>
 #include <libhair/core/parallel.h>
-#include <libhair/guides/measure.h>
-#include <libhair/guides/step.h>
+#include <libhair/core/state_hash.h>
+#include <libhair/guides/guide_strands.h>
 
 #include "ball.h"
 #include "sphere_groom.h"

@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
-#include <libhair/guides/measure.h>
-#include <libhair/guides/step.h>
+#include <libhair/core/state_hash.h>
+#include <libhair/guides/guide_strands.h>
+#include <libhair/guides/rest_shape.h>
+#include <libhair/guides/substep_memory.h>
 
 #include "sphere_groom.h"
 
@@ -130,7 +132,7 @@ TEST(GuideDoors, JointsTooStiffForFloatsTakeShorterSubstepsOrAreRefused) {
   GuideWorkspace workspace;
   for (int f = 0; f < 6; ++f) {
     stepGuides({}, settings, 1.0f / 60, workspace, guides);
-    EXPECT_LE(workspace.bending.substep, guides.longestSubstep({}));
+    EXPECT_LE(workspace.memory().bending.substep, guides.longestSubstep({}));
   }
 }
 
@@ -142,7 +144,7 @@ TEST(GuideDoors, ARootThatLeavesItsWayTakesShorterSubstepsAndOneThatKeepsItDoesN
   const auto substepOf = [&](float way) {
     motion.worldFromHead.translation.x += way;
     stepGuides(motion, settings, 1.0f / 60, workspace, guides);
-    return workspace.bending.substep;
+    return workspace.memory().bending.substep;
   };
   const float ordinary = substepOf(0);
   EXPECT_NEAR(ordinary, settings.substep, 1e-6f);

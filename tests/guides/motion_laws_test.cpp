@@ -9,8 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/random.h>
-#include <libhair/guides/measure.h>
-#include <libhair/guides/step.h>
+#include <libhair/guides/guide_strands.h>
 
 #include "sphere_groom.h"
 

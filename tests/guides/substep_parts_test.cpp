@@ -1,4 +1,4 @@
-// The parts of a substep against literal ones: dense systems in double, one strand at a time.
+// The parts of a substep against those of guides/literal.h.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/guides/substep_parts_test.cpp"
@@ -12,9 +12,10 @@ HWY_BEFORE_NAMESPACE();
 namespace hair {
 namespace HWY_NAMESPACE {
 
-// x, force [points], directions [links]: as solveBending. The root's frame stays.
-void bend(const GuideStrands& guides, const BendingFactors& factors, const LaneVec3* directions,
-          const LaneVec3* force, LaneVec3* x) {
+// x, force [points], directions [links]: as solveBending, for the only group.
+void bend(const GuideStrands& guides, const BendingFactors& factors, const LaneVec3& tangentBefore,
+          const LaneVec3& normalBefore, const LaneVec3* directions, const LaneVec3* force,
+          LaneVec3* x) {
   const std::uint32_t n = guides.pointsPerGuide();
   Vec3 f[kMaxGuidePoints], moved[kMaxGuidePoints], before[kMaxGuidePoints];
   for (std::uint32_t i = 0; i < n; ++i) f[i] = force[i], moved[i] = x[i];
@@ -27,8 +28,8 @@ void bend(const GuideStrands& guides, const BendingFactors& factors, const LaneV
                            factors.below1.data(),
                            factors.below2.data(),
                            factors.damping};
-  const RootFrame root{guides.rootTangent[0], guides.rootNormal[0]};
-  solveBending(group, root, root, before, f, moved);
+  solveBending(group, {guides.rootTangent[0], guides.rootNormal[0]}, {tangentBefore, normalBefore},
+               before, f, moved);
   for (std::uint32_t i = 0; i < n; ++i) store(moved[i], x[i]);
 }
 
@@ -85,6 +86,7 @@ HWY_AFTER_NAMESPACE();
 #include <gtest/gtest.h>
 
 #include <libhair/core/random.h>
+#include <libhair/guides/literal.h>
 
 namespace hair {
 namespace {
@@ -114,47 +116,26 @@ Groom crooked() {
   return groom;
 }
 
-// The solution of a full system, by elimination.
-template <class Value>
-std::vector<Value> solve(std::vector<std::vector<double>> a, std::vector<Value> b) {
-  const std::size_t n = b.size();
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double factor = a[i][k] / a[k][k];
-      for (std::size_t j = k; j < n; ++j) a[i][j] -= factor * a[k][j];
-      b[i] -= factor * b[k];
-    }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t j = i + 1; j < n; ++j) b[i] -= a[i][j] * b[j];
-    b[i] /= a[i][i];
-  }
-  return b;
+// Lane l of an array.
+std::vector<glm::dvec3> laneOf(const std::vector<LaneVec3>& v, std::size_t l) {
+  std::vector<glm::dvec3> out;
+  for (const LaneVec3& each : v) out.emplace_back(lane(each, l));
+  return out;
 }
 
-struct Frame {
-  glm::dvec3 tangent, normal;
-  glm::dvec3 fromWorld(glm::dvec3 v) const {
-    return {glm::dot(v, normal), glm::dot(v, glm::cross(tangent, normal)), glm::dot(v, tangent)};
-  }
-  glm::dvec3 toWorld(glm::dvec3 v) const {
-    return v.x * normal + v.y * glm::cross(tangent, normal) + v.z * tangent;
-  }
-  void over(glm::dvec3 to) {
-    const glm::dvec3 h = tangent + to;
-    normal -= 2 * glm::dot(normal, to) / glm::dot(h, h) * h;
-    tangent = to;
-  }
-};
-
-TEST(GuideParts, BendingSolvesItsImplicitSystem) {
+void bendAgainstLiteral(float h) {
   const GuideSettings settings;
   GuideStrands guides(crooked(), settings);
   BendingFactors factors;
-  const float h = 1.0f / 480;
   factorBending(guides, h, settings.bendDamping, 1, factors);
+  // Disturb points, directions and the root's frame before the substep.
   std::vector<LaneVec3> x = guides.position, force(kPoints), directions(kLinks);
-  for (std::uint32_t i = 0; i < kPoints; ++i)
-    for (std::uint32_t l = 0; l < kLanes; ++l) {
+  LaneVec3 tangentBefore, normalBefore;
+  for (std::uint32_t l = 0; l < kLanes; ++l) {
+    const glm::quat turn = glm::angleAxis(0.002f, glm::normalize(scatter(4000 + l, 1)));
+    setLane(tangentBefore, l, turn * lane(guides.rootTangent[0], l));
+    setLane(normalBefore, l, turn * lane(guides.rootNormal[0], l));
+    for (std::uint32_t i = 0; i < kPoints; ++i) {
       setLane(force[i], l, scatter(1000 + i * 16 + l, 0.1f));
       if (i > 0) setLane(x[i], l, lane(x[i], l) + scatter(i * 16 + l, 0.002f));
       if (i < kLinks)
@@ -162,52 +143,32 @@ TEST(GuideParts, BendingSolvesItsImplicitSystem) {
                 glm::normalize(lane(guides.position[i + 1], l) - lane(guides.position[i], l) +
                                scatter(2000 + i * 16 + l, 0.001f)));
     }
-  std::vector<LaneVec3> y = x;
-  HWY_DYNAMIC_DISPATCH(bend)(guides, factors, directions.data(), force.data(), y.data());
-
-  const double damping = static_cast<double>(settings.bendDamping) / h;
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    // Joint i takes q_i = sum_j q[i][j] x_j, the root's direction aside.
-    std::vector<std::vector<double>> q(kLinks, std::vector<double>(kPoints)), a;
-    for (std::uint32_t i = 0; i < kLinks; ++i) {
-      const double next = 1.0 / guides.linkLength[i][l];
-      q[i][i + 1] += next, q[i][i] -= next;
-      if (i == 0) continue;
-      const double before = 1.0 / guides.linkLength[i - 1][l];
-      q[i][i] -= before, q[i][i - 1] += before;
-    }
-    std::vector<glm::dvec3> r;
-    for (std::uint32_t i = 1; i < kPoints; ++i) r.emplace_back(lane(force[i], l));
-    Frame now{lane(guides.rootTangent[0], l), lane(guides.rootNormal[0], l)}, then = now;
-    glm::dvec3 d = now.tangent, dThen = then.tangent;
-    for (std::uint32_t i = 0; i < kLinks; ++i) {
-      const glm::dvec3 next = (glm::dvec3(lane(x[i + 1], l)) - glm::dvec3(lane(x[i], l))) /
-                              static_cast<double>(guides.linkLength[i][l]);
-      const glm::dvec3 nextThen = lane(directions[i], l), c = lane(guides.curvature[i], l);
-      const glm::dvec3 e = now.fromWorld(next - d) - c;
-      const glm::dvec3 change = e - (then.fromWorld(nextThen - dThen) - c);
-      const glm::dvec3 g =
-          static_cast<double>(guides.jointStiffness[i][l]) * now.toWorld(e + damping * change);
-      for (std::uint32_t j = 1; j < kPoints; ++j) r[j - 1] -= q[i][j] * g;
-      now.over(glm::normalize(next)), then.over(nextThen);
-      d = next, dThen = nextThen;
-    }
-    a.assign(kLinks, std::vector<double>(kLinks));
-    for (std::uint32_t j = 0; j < kLinks; ++j) {
-      a[j][j] += guides.pointMass[j + 1][l] / (static_cast<double>(h) * h);
-      for (std::uint32_t k = 0; k < kLinks; ++k)
-        for (std::uint32_t i = 0; i < kLinks; ++i)
-          a[j][k] += (1 + damping) * guides.jointStiffness[i][l] * q[i][j + 1] * q[i][k + 1];
-    }
-    const std::vector<glm::dvec3> moves = solve(a, r);
-    double most = 0;
-    for (const glm::dvec3& move : moves) most = std::max(most, glm::length(move));
-    EXPECT_GT(most, 1e-4);
-    for (std::uint32_t i = 1; i < kPoints; ++i) {
-      const glm::dvec3 got = glm::dvec3(lane(y[i], l)) - glm::dvec3(lane(x[i], l));
-      ASSERT_LT(glm::length(got - moves[i - 1]), 1e-4 * most + 3e-8) << "lane " << l;
-    }
   }
+  std::vector<LaneVec3> y = x;
+  HWY_DYNAMIC_DISPATCH(bend)
+  (guides, factors, tangentBefore, normalBefore, directions.data(), force.data(), y.data());
+
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const std::vector<glm::dvec3> from = laneOf(x, l), got = laneOf(y, l);
+    const std::vector<glm::dvec3> expected = literal::bend(
+        literal::Guide(guides, l), {lane(guides.rootTangent[0], l), lane(guides.rootNormal[0], l)},
+        {lane(tangentBefore, l), lane(normalBefore, l)}, laneOf(directions, l), laneOf(force, l),
+        static_cast<double>(h), static_cast<double>(settings.bendDamping), from);
+    double most = 0;
+    for (std::uint32_t i = 0; i < kPoints; ++i)
+      most = std::max(most, glm::distance(expected[i], from[i]));
+    EXPECT_GT(most, 1e-4);
+    for (std::uint32_t i = 0; i < kPoints; ++i)
+      ASSERT_LT(glm::distance(got[i], expected[i]), 1e-4 * most + 3e-8) << "lane " << l;
+  }
+}
+
+TEST(GuideParts, BendingSolvesItsImplicitSystem) {
+  bendAgainstLiteral(1.0f / 480);
+}
+
+TEST(GuideParts, LongSubstepsTakeRestTensionIntoTheSystem) {
+  bendAgainstLiteral(1.0f / 60);
 }
 
 // Links that are off their lengths, and points that touch.
@@ -223,51 +184,29 @@ struct StretchedLinks {
         setLane(normals[i], l, glm::normalize(scatter(3000 + i * 16 + l, 1)));
       }
   }
-  // Of the points: what a force moves them by.
-  std::vector<glm::dmat3> inverseMasses(std::size_t l) const {
-    std::vector<glm::dmat3> w(kPoints, glm::dmat3(0));
-    for (std::uint32_t i = 1; i < kPoints; ++i) {
-      const glm::dvec3 n = lane(normals[i], l);
-      w[i] = glm::dmat3(1);
-      if (touching >> i & 1) w[i] -= 0.98 * glm::outerProduct(n, n);
-      w[i] *= 1.0 / static_cast<double>(guides.pointMass[i][l]);
-    }
-    return w;
+  std::vector<literal::Contact> contacts(std::size_t l) const {
+    std::vector<literal::Contact> contacts;
+    for (std::uint32_t i = 0; i < kPoints; ++i)
+      contacts.push_back({(touching >> i & 1) != 0, lane(normals[i], l)});
+    return contacts;
   }
 };
 
 TEST(GuideParts, LinksTakeOneNewtonStep) {
-  const StretchedLinks stretched;
-  const auto& [guides, touching, x, normals] = stretched;
-  std::vector<LaneVec3> y = x;
+  const StretchedLinks s;
+  std::vector<LaneVec3> y = s.x;
   std::vector<Lanes> lambda(kLinks);
   HWY_DYNAMIC_DISPATCH(correct)
-  (guides, LinkSolver::Direct, touching, normals.data(), lambda.data(), y.data());
+  (s.guides, LinkSolver::Direct, s.touching, s.normals.data(), lambda.data(), y.data());
   for (std::size_t l = 0; l < kLanes; ++l) {
-    const std::vector<glm::dmat3> w = stretched.inverseMasses(l);
-    // Row i of J: -d_i at point i, d_i at point i + 1.
-    std::vector<std::vector<glm::dvec3>> j(kLinks, std::vector<glm::dvec3>(kPoints, glm::dvec3(0)));
-    std::vector<double> c(kLinks);
-    for (std::uint32_t i = 0; i < kLinks; ++i) {
-      const glm::dvec3 e = glm::dvec3(lane(x[i + 1], l)) - glm::dvec3(lane(x[i], l));
-      j[i][i + 1] = glm::normalize(e), j[i][i] = -j[i][i + 1];
-      c[i] = guides.linkLength[i][l] - glm::length(e);
-    }
-    std::vector<std::vector<double>> a(kLinks, std::vector<double>(kLinks));
-    for (std::uint32_t r = 0; r < kLinks; ++r)
-      for (std::uint32_t s = 0; s < kLinks; ++s)
-        for (std::uint32_t p = 0; p < kPoints; ++p) a[r][s] += glm::dot(j[r][p], w[p] * j[s][p]);
-    const std::vector<double> expected = solve(a, c);
+    const literal::LinkStep expected =
+        literal::correctLinks(literal::Guide(s.guides, l), s.contacts(l), laneOf(s.x, l));
     double most = 0;
-    for (const double v : expected) most = std::max(most, std::abs(v));
+    for (const double v : expected.lambda) most = std::max(most, std::abs(v));
     for (std::uint32_t i = 0; i < kLinks; ++i)
-      ASSERT_NEAR(lambda[i][l], expected[i], 1e-4 * most) << "lane " << l;
-    for (std::uint32_t p = 0; p < kPoints; ++p) {
-      glm::dvec3 move(0);
-      for (std::uint32_t r = 0; r < kLinks; ++r) move += expected[r] * (w[p] * j[r][p]);
-      const glm::dvec3 got = glm::dvec3(lane(y[p], l)) - glm::dvec3(lane(x[p], l));
-      ASSERT_LT(glm::length(got - move), 1e-6) << "lane " << l;
-    }
+      ASSERT_NEAR(lambda[i][l], expected.lambda[i], 1e-4 * most) << "lane " << l;
+    for (std::uint32_t p = 0; p < kPoints; ++p)
+      ASSERT_LT(glm::distance(glm::dvec3(lane(y[p], l)), expected.x[p]), 1e-6) << "lane " << l;
   }
 }
 
@@ -278,21 +217,13 @@ TEST(GuideParts, RelaxationTakesOneLinkAfterTheOther) {
   HWY_DYNAMIC_DISPATCH(correct)
   (s.guides, LinkSolver::Relaxation, s.touching, s.normals.data(), lambda.data(), y.data());
   for (std::size_t l = 0; l < kLanes; ++l) {
-    const std::vector<glm::dmat3> w = s.inverseMasses(l);
-    std::vector<glm::dvec3> p;
-    for (std::uint32_t i = 0; i < kPoints; ++i) p.emplace_back(lane(s.x[i], l));
-    for (std::uint32_t i = 0; i < kLinks; ++i) {
-      const glm::dvec3 e = p[i + 1] - p[i], d = glm::normalize(e);
-      const double push = (static_cast<double>(s.guides.linkLength[i][l]) - glm::length(e)) /
-                          glm::dot(d, (w[i] + w[i + 1]) * d);
-      p[i] -= push * (w[i] * d);
-      p[i + 1] += push * (w[i + 1] * d);
-      // The link itself is then at its length, but for the second order where a contact turns it.
-      EXPECT_NEAR(glm::distance(p[i], p[i + 1]), static_cast<double>(s.guides.linkLength[i][l]),
-                  2e-4);
-    }
+    const literal::LinkStep expected =
+        literal::relaxLinks(literal::Guide(s.guides, l), s.contacts(l), laneOf(s.x, l));
     for (std::uint32_t i = 0; i < kPoints; ++i)
-      ASSERT_LT(glm::distance(glm::dvec3(lane(y[i], l)), p[i]), 1e-6) << "lane " << l;
+      ASSERT_LT(glm::distance(glm::dvec3(lane(y[i], l)), expected.x[i]), 1e-6) << "lane " << l;
+    // No later link disturbs the last: it has its length.
+    EXPECT_NEAR(glm::distance(lane(y[kLinks - 1], l), lane(y[kLinks], l)),
+                s.guides.linkLength[kLinks - 1][l], 1e-6f);
   }
 }
 

@@ -29,7 +29,7 @@ HWY_AFTER_NAMESPACE();
 #include <gtest/gtest.h>
 
 #include <libhair/core/random.h>
-#include <libhair/guides/step.h>
+#include <libhair/guides/guide_strands.h>
 
 #include "sphere_groom.h"
 
@@ -83,7 +83,7 @@ TEST(Wind, StillAirIsStill) {
   EXPECT_EQ(wind.at(17.0).at({1, 2, 3}), glm::vec3(0));
 }
 
-TEST(Wind, WhatIsShelteredFromHalfOfItLeansAsInHalfOfIt) {
+TEST(Wind, WhatHasHalfOfItOccludedLeansAsInHalfOfIt) {
   const auto tip = [](float speed, float share) {
     GuideStrands guides(test::oneStrand({0, -1, 0}, 0.3f, 15), {});
     GuideWorkspace workspace;

@@ -5,6 +5,7 @@
 #include <ceres/ceres.h>
 
 #include <libhair/hair_mesh/interior_placement.h>
+#include <libhair/hair_mesh/surface.h>
 
 namespace hair::test {
 

@@ -1,4 +1,4 @@
-#include <libhair/hair_mesh/chains.h>
+#include <libhair/hair_mesh/mesh_groom.h>
 
 #include <gtest/gtest.h>
 

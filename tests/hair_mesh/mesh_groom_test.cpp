@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
-#include <libhair/guides/measure.h>
-#include <libhair/hair_mesh/trace.h>
+#include <libhair/guides/guide_strands.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/simulation/frame.h>
 #include <tests/hair_mesh/sample_meshes.h>
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include <libhair/geometry/shared_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 #include <libhair/hair_mesh/mesh_groom.h>
 #include <libhair/hair_mesh/script/script.h>
 #include <libhair/model/comb.h>

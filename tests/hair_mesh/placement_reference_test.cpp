@@ -1,6 +1,7 @@
 // Interior placement beside two other implementations of section 3.3: sparse Cholesky on the
 // residuals as they stand, and Ceres.
 #include <libhair/hair_mesh/interior_placement.h>
+#include <libhair/hair_mesh/surface.h>
 
 #include <gtest/gtest.h>
 #include <Eigen/SparseCholesky>

@@ -10,6 +10,7 @@
 
 #include <libhair/core/random.h>
 #include <libhair/hair_mesh/exterior.h>
+#include <libhair/hair_mesh/surface.h>
 #include <tests/hair_mesh/sample_meshes.h>
 
 // Hair meshes with an inside, made without the operations that tests of those would trust.

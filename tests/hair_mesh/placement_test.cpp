@@ -8,6 +8,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/hair_mesh/surface.h>
 #include <tests/hair_mesh/placement_samples.h>
 
 namespace hair {

@@ -1,4 +1,5 @@
 #include <libhair/hair_mesh/scalp_patch.h>
+#include <libhair/model/scalp_roots.h>
 
 #include <gtest/gtest.h>
 

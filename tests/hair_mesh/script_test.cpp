@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/hair_mesh/interior_placement.h>
+#include <libhair/hair_mesh/surface.h>
 #include <tests/files/samples.h>
 #include <tests/hair_mesh/same_mesh.h>
 

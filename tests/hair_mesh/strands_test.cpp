@@ -1,4 +1,4 @@
-#include <libhair/hair_mesh/trace.h>
+#include <libhair/hair_mesh/grow.h>
 
 #include <algorithm>
 #include <bit>

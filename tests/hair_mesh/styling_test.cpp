@@ -1,4 +1,4 @@
-#include <libhair/hair_mesh/styling.h>
+#include <libhair/hair_mesh/grow.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/hair_mesh/trace.h>
-#include <libhair/hair_mesh/wisp_curves.h>
+#include <libhair/hair_mesh/grow.h>
+#include <libhair/hair_mesh/mesh_groom.h>
 #include <libhair/model/fill_wisps.h>
 #include <libhair/wisps/wisps.h>
 #include <tests/hair_mesh/sample_meshes.h>

@@ -4,6 +4,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/random.h>
+#include <libhair/density/cell_frame.h>
 #include <libhair/light/light.h>
 
 namespace hair {

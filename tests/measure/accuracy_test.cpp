@@ -5,7 +5,7 @@
 
 #include <libhair/files/strand_file.h>
 #include <libhair/measure/shadow/shadow_trial.h>
-#include <libhair/shadow/automatic.h>
+#include <libhair/shadow/density_map.h>
 
 namespace hair {
 namespace {

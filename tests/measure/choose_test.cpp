@@ -11,7 +11,9 @@
 #include <libhair/core/parallel.h>
 #include <libhair/files/strand_file.h>
 #include <libhair/measure/shadow/choose.h>
-#include <libhair/measure/shadow/error_figures.h>
+#include <libhair/measure/shadow/cost_model.h>
+#include <libhair/measure/shadow/error_model.h>
+#include <libhair/measure/shadow/truth.h>
 #include <libhair/model/fill_wisps.h>
 #include <libhair/model/head.h>
 #include <libhair/model/styles.h>

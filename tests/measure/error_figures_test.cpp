@@ -2,7 +2,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/random.h>
-#include <libhair/measure/shadow/error_figures.h>
+#include <libhair/measure/shadow/truth.h>
 
 namespace hair {
 namespace {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
+#include <libhair/density/grid_cells.h>
 #include <libhair/measure/motion/feature_cost.h>
 
 #include "drawn_groom.h"
@@ -49,12 +50,12 @@ TEST(Features, TurningOneOffLeavesItsArraysEmpty) {
   EXPECT_FALSE(all->hair.transmittance.empty());
   EXPECT_FALSE(all->hair.colours.empty());
   EXPECT_EQ(all->hair.maps.size(), 1u);
-  EXPECT_TRUE(all->hair.repulsion.density.bricks.valid());
+  EXPECT_TRUE(all->hair.repulsion.density.cells->bricks.valid());
 
   const auto alone = played(without("self-collision", everything()));
   EXPECT_TRUE(alone->hair.repulsion.push.empty());
   EXPECT_TRUE(alone->hair.repulsion.allowed.empty());
-  EXPECT_FALSE(alone->hair.repulsion.density.bricks.valid());
+  EXPECT_FALSE(alone->hair.repulsion.density.cells->bricks.valid());
 
   const auto bright = played(without("light's map", everything()));
   EXPECT_TRUE(bright->hair.transmittance.empty());

@@ -8,7 +8,7 @@
 #include <libhair/files/obj.h>
 #include <libhair/files/strand_file.h>
 #include <libhair/geometry/mesh_sdf.h>
-#include <libhair/model/head_fit.h>
+#include <libhair/model/head.h>
 
 namespace hair {
 namespace {

@@ -79,7 +79,7 @@ TEST(LoadedHead, HasTheUnitsAndAxesOfItsHair) {
   for (const float scale : {1.0f, 0.37f, 0.001f})
     for (const UpAxis up : kAxes) {
       const ReadOptions units{scale, up};
-      expectBuiltin(load(inUnits(bust(), units), units), text(scale, ' ', upAxisText(up)));
+      expectBuiltin(load(inUnits(bust(), units), units), text(scale, ' ', wordOf(up)));
     }
 }
 
@@ -106,7 +106,7 @@ TEST(LoadedHead, ThatDoesNotFitIsToldWhatWould) {
       } catch (const Error& e) {
         message = e.what();
       }
-      const std::string advice = text("--head-scale ", scale, " --head-up ", upAxisText(up));
+      const std::string advice = text("--head-scale ", scale, " --head-up ", wordOf(up));
       EXPECT_NE(message.find(advice), std::string::npos) << message << "\nwanted " << advice;
     }
   // Hair that is in centimetres itself.

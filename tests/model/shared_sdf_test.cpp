@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <libhair/geometry/shared_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 
 namespace hair {
 namespace {

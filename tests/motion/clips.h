@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/files/bvh_file.h>
-#include <libhair/motion/skeleton.h>
+#include <libhair/motion/motion.h>
 
 namespace hair {
 

@@ -6,7 +6,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/random.h>
 #include <libhair/core/rotations.h>
-#include <libhair/motion/skeleton.h>
+#include <libhair/motion/motion.h>
 
 #include "clips.h"
 

@@ -9,7 +9,6 @@
 #include <libhair/core/parallel.h>
 #include <libhair/core/random.h>
 #include <libhair/shade/appearance.h>
-#include <libhair/shade/encode.h>
 #include <libhair/shade/literal.h>
 #include <libhair/shade/srgb.h>
 

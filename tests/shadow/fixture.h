@@ -4,9 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include <libhair/shadow/deposit.h>
-#include <libhair/shadow/filter.h>
-#include <libhair/shadow/transmittance.h>
+#include <libhair/shadow/density_map.h>
 #include <tests/density/fixture.h>
 
 namespace hair::test {

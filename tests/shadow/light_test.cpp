@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
-#include <libhair/shadow/automatic.h>
+#include <libhair/shadow/density_map.h>
 
 #include "fixture.h"
 

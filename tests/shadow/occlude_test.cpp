@@ -2,7 +2,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
-#include <libhair/shadow/occlude.h>
+#include <libhair/shadow/density_map.h>
 
 #include "fixture.h"
 

@@ -6,7 +6,9 @@
 #include <libhair/core/instruction_set.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/state_hash.h>
+#include <libhair/density/grid_cells.h>
 #include <libhair/shadow/literal.h>
+#include <libhair/shadow/transmittances.h>
 
 #include "fixture.h"
 
@@ -260,8 +262,8 @@ TEST(Transmittance, IsReadOnlyWhereItWasWritten) {
       shadow(hair, settings, makeLightSpace(direction), map);
       std::vector<float> clean(points.size()), stale(points.size());
       sampleTransmittance(map, points, clean);
-      std::fill(map.lightIn.begin(), map.lightIn.end(),
-                4u * static_cast<std::uint32_t>(map.grid.bricks.size()) | Transmittances::kFixed);
+      std::fill(map.bricks->lightIn.begin(), map.bricks->lightIn.end(),
+                4u * static_cast<std::uint32_t>(map.grid.brickCount()) | Transmittances::kFixed);
       computeTransmittance(map);
       sampleTransmittance(map, points, stale);
       EXPECT_EQ(clean, stale);

@@ -68,7 +68,7 @@ TEST(LoadGroom, FromEveryFormatInEveryUnit) {
     for (const float scale : {1.0f, 0.0254f})
       for (const UpAxis up : {UpAxis::ZBack, UpAxis::X}) {
         if (format == std::string("usda") && up == UpAxis::X) continue;
-        SCOPED_TRACE(text(format, ' ', scale, ' ', upAxisText(up)));
+        SCOPED_TRACE(text(format, ' ', scale, ' ', wordOf(up)));
         const auto file = folder / text("a.", format);
         writeStrands(file, strands, {.scale = scale, .up = up});
         // The head follows what is said of the hair, or what the hair's file states.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
+#include <libhair/wisps/literal.h>
 #include <libhair/wisps/wisps.h>
 #include <tests/guides/ball.h>
 
@@ -17,9 +18,13 @@ struct Passing {
   Groom groom;
   GuideStrands guides;
   Wisps wisps;
+  const MeshSdf* headAtRest;
 
-  explicit Passing(const RigidTransform& head = {})
-      : groom(made()), guides(groom, {}, head), wisps(groom, guides) {}
+  explicit Passing(const RigidTransform& head = {}, const MeshSdf* atRest = nullptr)
+      : groom(made()),
+        guides(groom, {}, head),
+        wisps(groom, guides, {}, atRest),
+        headAtRest(atRest) {}
 
   static Groom made() {
     Groom groom;
@@ -47,6 +52,14 @@ struct Passing {
         d = std::min(d, distance(wisps.points[k]));
     return d;
   }
+  // Draws the strands, and compares them with the plain formula.
+  void draw(const ColliderState& colliders) {
+    interpolateWisps(guides, colliders, wisps);
+    const auto expected =
+        literal::interpolateWisps(groom, guides, colliders, wisps.settings, headAtRest);
+    for (std::size_t p = 0; p < expected.size(); ++p)
+      ASSERT_LT(glm::distance(glm::dvec3(wisps.points[p]), expected[p]), 5e-6) << "point " << p;
+  }
 };
 
 const RigidTransform kHead{glm::angleAxis(0.8f, glm::vec3(0, 0.6f, 0.8f)), {1, 2, -3}};
@@ -56,7 +69,7 @@ TEST(Wisps, NoDrawnPointIsLeftInsideACapsule) {
   const Capsule ball{{0, 0, 0}, {0, 0, 0}, 0.08f};
   const auto distance = [&](glm::vec3 p) { return distanceAndGradient(ball, p).w; };
   EXPECT_LT(hair.deepest(distance), -0.05f) << "nothing to avoid";
-  interpolateWisps(hair.guides, {{}, {}, {&ball, 1}, {&ball, 1}, nullptr}, hair.wisps);
+  hair.draw({{}, {}, {&ball, 1}, {&ball, 1}, nullptr});
   EXPECT_GE(hair.deepest(distance), hair.wisps.settings.clearance - 1e-6f);
 }
 
@@ -65,9 +78,21 @@ TEST(Wisps, NoDrawnPointIsLeftInsideTheHeadsField) {
   const auto sdf = test::ballSdf(0.08f);
   const auto distance = [](glm::vec3 p) { return glm::distance(p, kHead.translation) - 0.08f; };
   EXPECT_LT(hair.deepest(distance), -0.05f) << "nothing to avoid";
-  interpolateWisps(hair.guides, {kHead, kHead, {}, {}, sdf.get()}, hair.wisps);
+  hair.draw({kHead, kHead, {}, {}, sdf.get()});
   // The clearance is more than the grid's error.
   EXPECT_GE(hair.deepest(distance), 0);
+}
+
+TEST(Wisps, AStrandThatRestsInTheHeadMayStayAsDeep) {
+  const auto sdf = test::ballSdf(0.08f);
+  Passing hair({}, sdf.get());
+  const auto atRest = hair.wisps.points;
+  hair.draw({{}, {}, {}, {}, sdf.get()});
+  EXPECT_EQ(hair.wisps.points, atRest);
+  // A head that comes nearer pushes them back to that depth.
+  const RigidTransform moved{glm::quat(1, 0, 0, 0), {0.02f, 0, 0.01f}};
+  hair.draw({moved, {}, {}, {}, sdf.get()});
+  EXPECT_NE(hair.wisps.points, atRest);
 }
 
 TEST(Wisps, NoDrawnPointIsLeftInsideAPlacedMesh) {
@@ -79,7 +104,7 @@ TEST(Wisps, NoDrawnPointIsLeftInsideAPlacedMesh) {
   EXPECT_LT(hair.deepest(distance), -0.05f) << "nothing to avoid";
   ColliderState colliders{kHead, kHead, {}, {}};
   colliders.scenery.meshes = {&ball, 1};
-  interpolateWisps(hair.guides, colliders, hair.wisps);
+  hair.draw(colliders);
   EXPECT_GE(hair.deepest(distance), 0);
 }
 
@@ -91,7 +116,7 @@ TEST(Wisps, NoDrawnPointIsLeftBehindAPlane) {
   EXPECT_LT(hair.deepest(distance), -0.05f) << "nothing to avoid";
   ColliderState colliders;
   colliders.scenery.planes = {&wall, 1};
-  interpolateWisps(hair.guides, colliders, hair.wisps);
+  hair.draw(colliders);
   EXPECT_GE(hair.deepest(distance), hair.wisps.settings.clearance - 1e-6f);
 }
 

@@ -10,6 +10,8 @@
 #include <libhair/core/random.h>
 #include <libhair/files/strand_file.h>
 #include <libhair/wisps/bind.h>
+#include <libhair/wisps/guide_curves.h>
+#include <libhair/wisps/literal.h>
 #include <libhair/wisps/wisps.h>
 
 namespace hair {
@@ -170,52 +172,6 @@ struct Hanging {
   }
 };
 
-// What interpolateWisps says it does, one point at a time, without a head.
-std::vector<glm::vec3> literalWisps(const Hanging& hanging, const Wisps& wisps) {
-  const Groom& groom = hanging.groom;
-  std::vector<glm::vec3> points(groom.pointCount());
-  const auto nearest = [&](glm::vec3 p) {
-    glm::vec4 best(0, 1, 0, 1e3f);
-    for (const Capsule& c : hanging.body) {
-      glm::vec4 d = distanceAndGradient(c, p);
-      d.w -= wisps.settings.clearance;
-      if (d.w < best.w) best = d;
-    }
-    return best;
-  };
-  for (std::size_t s = 0; s < groom.strandCount(); ++s) {
-    const std::uint32_t first = groom.first[s], n = groom.first[s + 1] - first;
-    const glm::uvec3 parents = groom.parents[s];
-    const auto at = [&](int j, std::uint32_t k) {
-      return wisps.curves.point(parents[j], wisps.sampleOf(k, n));
-    };
-    const auto turned = [&](std::uint32_t k, glm::vec3 v) {
-      return wisps.curves.frame(parents.x, wisps.sampleOf(k, n)).toWorld(v);
-    };
-    std::uint32_t hit = n;
-    for (std::uint32_t k = 0; k < n; ++k) {
-      const glm::vec3 w = groom.weights[s];
-      points[first + k] =
-          w.x * at(0, k) + w.y * at(1, k) + w.z * at(2, k) + turned(k, groom.offsets[first + k]);
-      if (k > 0 && hit == n && nearest(points[first + k]).w < 0) hit = k;
-    }
-    const std::uint32_t blend = wisps.settings.blendPoints, start = hit > blend ? hit - blend : 1;
-    for (std::uint32_t k = start; hit < n && k < n; ++k) {
-      const float t =
-          hit > start
-              ? std::min(1.0f, static_cast<float>(k - start) / static_cast<float>(hit - start))
-              : 1.0f;
-      const glm::vec3 single =
-          at(0, k) + turned(k, wisps.rootOffsets[s]) + turned(k, groom.offsets[first + k]);
-      glm::vec3& p = points[first + k];
-      p = glm::mix(p, single, t * t * (3 - 2 * t));
-      for (int round = 0; round < 2; ++round)
-        if (const glm::vec4 d = nearest(p); d.w < 0) p -= d.w * glm::vec3(d);
-    }
-  }
-  return points;
-}
-
 const std::vector<std::vector<std::uint32_t>> kCounts = {{2},  {15}, {16},
                                                          {17}, {33}, {2, 15, 16, 17, 31, 33, 40}};
 
@@ -229,8 +185,10 @@ TEST(Wisps, AreWhatThePlainFormulaSays) {
     if (counts.back() > 2) {
       EXPECT_GT(largestDifference(wisps.points, free), 0.01f) << "nothing is avoided";
     }
-    EXPECT_LT(largestDifference(wisps.points, literalWisps(hanging, wisps)), 2e-6f)
-        << counts.front() << " points";
+    const auto expected = literal::interpolateWisps(hanging.groom, guides, hanging.colliders);
+    for (std::size_t p = 0; p < expected.size(); ++p)
+      ASSERT_LT(glm::distance(glm::dvec3(wisps.points[p]), expected[p]), 2e-6)
+          << counts.front() << " points, point " << p;
     for (std::size_t s = 0; s < hanging.groom.strandCount(); ++s)
       for (std::size_t k = hanging.groom.first[s] + 1; k < hanging.groom.first[s + 1]; ++k)
         for (const Capsule& c : hanging.body)

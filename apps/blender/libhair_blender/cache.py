@@ -3,6 +3,7 @@
 A frame has the same size and place whatever is in it, so playback maps the file and reads one frame.
 """
 
+import contextlib
 import json
 import os
 
@@ -10,36 +11,34 @@ import numpy
 
 from libhair import Error
 
-_HEADER = 256
+HEADER = 256
 _MAGIC = b"libhair cache 1\n"
 
 
-class Writer:
+class Output:
     """Writes beside the file and moves there when all is done: half a cache is never seen."""
 
-    def __init__(self, path, first_frame, point_count):
-        self.path, self.part = path, path + ".part"
-        self.first_frame, self.point_count, self.frames = first_frame, point_count, 0
+    def __init__(self, path, magic):
+        self.path, self.part, self.magic = path, path + ".part", magic
+        self.frames = 0
         try:
             os.makedirs(os.path.dirname(path), exist_ok=True)
             self.file = open(self.part, "wb")
         except OSError as error:
             raise Error(f"{path}: cannot be written ({error.strerror}); choose another cache folder") from error
-        self.file.write(b" " * _HEADER)
+        self.file.write(b" " * HEADER)
 
-    def add(self, points):
-        """(N, 3) float32: the next frame."""
+    def append(self, array):
         try:
-            self.file.write(numpy.ascontiguousarray(points, numpy.float32).data)
+            self.file.write(numpy.ascontiguousarray(array).data)
         except OSError as error:
             raise Error(f"{self.path}: {error.strerror} after {self.frames} frames") from error
-        self.frames += 1
 
-    def finish(self):
-        words = {"first_frame": self.first_frame, "frames": self.frames, "points": self.point_count}
+    def close(self, words):
+        """words: what the header says."""
         try:
             self.file.seek(0)
-            self.file.write((_MAGIC + json.dumps(words).encode()).ljust(_HEADER))
+            self.file.write((self.magic + json.dumps(words).encode()).ljust(HEADER))
             self.file.close()
             os.replace(self.part, self.path)
         except OSError as error:
@@ -51,28 +50,57 @@ class Writer:
             os.remove(self.part)
 
 
+def header_of(path):
+    """The header's bytes, and the size of the file."""
+    try:
+        with open(path, "rb") as file:
+            return file.read(HEADER), os.path.getsize(path)
+    except OSError as error:
+        raise Error(f"{path}: {error.strerror}; simulate again, or free the cache") from error
+
+
+@contextlib.contextmanager
+def parsing(path):
+    """Whatever is found inside that cannot be: the file is another, or damaged."""
+    try:
+        yield
+    except (ValueError, KeyError, TypeError) as error:
+        raise Error(f"{path}: no cache of hair, or not all of one; simulate again") from error
+
+
+def words_of(header, magic):
+    if not header.startswith(magic):
+        raise ValueError
+    return json.loads(header[len(magic) :])
+
+
+class Writer(Output):
+    def __init__(self, path, first_frame, point_count):
+        super().__init__(path, _MAGIC)
+        self.first_frame, self.point_count = first_frame, point_count
+
+    def add(self, points):
+        """(N, 3) float32: the next frame."""
+        self.append(numpy.asarray(points, numpy.float32))
+        self.frames += 1
+
+    def finish(self):
+        self.close({"first_frame": self.first_frame, "frames": self.frames, "points": self.point_count})
+
+
 class Reader:
     """Frames of a file, read when they are asked for."""
 
     def __init__(self, path):
-        try:
-            with open(path, "rb") as file:
-                header = file.read(_HEADER)
-            size = os.path.getsize(path)
-        except OSError as error:
-            raise Error(f"{path}: {error.strerror}; simulate again, or free the cache") from error
-        try:
-            if not header.startswith(_MAGIC):
-                raise ValueError
-            words = json.loads(header[len(_MAGIC) :])
+        header, size = header_of(path)
+        with parsing(path):
+            words = words_of(header, _MAGIC)
             self.first_frame = int(words["first_frame"])
             shape = (int(words["frames"]), int(words["points"]), 3)
-            if min(shape) < 1 or size != _HEADER + 4 * shape[0] * shape[1] * shape[2]:
+            if min(shape) < 1 or size != HEADER + 4 * shape[0] * shape[1] * shape[2]:
                 raise ValueError
-        except (ValueError, KeyError, TypeError) as error:
-            raise Error(f"{path}: no cache of hair, or not all of one; simulate again") from error
         self.frames, self.point_count = shape[:2]
-        self._values = numpy.memmap(path, numpy.float32, "r", _HEADER, shape)
+        self._values = numpy.memmap(path, numpy.float32, "r", HEADER, shape)
 
     @property
     def last_frame(self):
@@ -94,8 +122,8 @@ class Reader:
 _open = {}
 
 
-def reader(path):
-    """The Reader of a file, opened again when the file is another."""
+def reader(path, kind=Reader):
+    """The reader of a file, opened again when the file is another."""
     try:
         state = os.stat(path)
         stamp = (state.st_mtime_ns, state.st_size, state.st_ino)
@@ -104,7 +132,7 @@ def reader(path):
     known = _open.get(path)
     if known is None or known[0] != stamp:
         _open.pop(path, None)
-        known = _open[path] = (stamp, Reader(path))
+        known = _open[path] = (stamp, kind(path))
     return known[1]
 
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import cache, curves
+from . import cache, curves, insides
 
 
 class _Tab:
@@ -77,6 +77,28 @@ class LIBHAIR_PT_shadow(_Tab, bpy.types.Panel):
         layout.operator("libhair.shadow", icon="LIGHT_SUN")
 
 
+class LIBHAIR_PT_insides(_Tab, bpy.types.Panel):
+    bl_label = "Inside"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        return curves.is_hair(context.object)
+
+    def draw(self, context):
+        hair = context.object
+        layout = self.layout
+        layout.column().prop(hair.libhair, "insides")
+        layout.prop(hair.libhair, "insides_width")
+        try:
+            new = insides.missing(hair)
+        except ValueError as error:
+            layout.label(text=str(error), icon="ERROR")
+            return
+        if new:
+            layout.label(text=f"Simulate again for {', '.join(new)}", icon="INFO")
+
+
 class LIBHAIR_PT_grow(_Tab, bpy.types.Panel):
     bl_label = "Grow"
 
@@ -87,7 +109,7 @@ class LIBHAIR_PT_grow(_Tab, bpy.types.Panel):
         column.operator("libhair.to_curves", icon="CURVES_DATA")
 
 
-_CLASSES = (LIBHAIR_PT_simulation, LIBHAIR_PT_shadow, LIBHAIR_PT_grow)
+_CLASSES = (LIBHAIR_PT_simulation, LIBHAIR_PT_shadow, LIBHAIR_PT_insides, LIBHAIR_PT_grow)
 
 
 def register():

@@ -6,7 +6,7 @@ import bpy
 
 from libhair import Error
 
-from . import cache, curves, shadow
+from . import cache, curves, insides, shadow
 
 _silent = 0
 
@@ -44,6 +44,7 @@ def on_frame(scene, graph=None):
         try:
             if ours.cache_path:
                 show(hair, scene)
+                insides.show(hair, scene, make=False)
             if ours.shadow_follows and graph is not None:
                 shadow.write(hair, scene, graph)
             message = ""

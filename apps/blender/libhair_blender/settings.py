@@ -3,6 +3,7 @@
 import bpy
 from bpy.props import (
     BoolProperty,
+    EnumProperty,
     FloatProperty,
     FloatVectorProperty,
     IntProperty,
@@ -11,6 +12,8 @@ from bpy.props import (
 )
 
 import libhair
+
+from . import insides as _insides
 
 _frame = libhair.FrameSettings()
 _guides = libhair.GuideSettings()
@@ -168,16 +171,35 @@ class HairSettings(bpy.types.PropertyGroup):
         description="The head's mesh gets the attribute as well, at its vertices",
     )
 
+    # What is shown of the simulation's inside.
+    insides: EnumProperty(
+        name="Show",
+        description="What is kept of every frame when the hair is simulated, and shown",
+        items=_insides.ITEMS,
+        options={"ENUM_FLAG"},
+        update=_insides.on_change,
+    )
+    insides_width: FloatProperty(
+        name="Line Width",
+        default=0.0005,
+        min=1e-6,
+        soft_max=0.01,
+        precision=4,
+        unit="LENGTH",
+        update=_insides.on_change,
+    )
+
     # What the add-on keeps for itself.
     cache_path: StringProperty(options={"HIDDEN"})
     source: PointerProperty(type=bpy.types.Object, options={"HIDDEN"})
+    insides_object: PointerProperty(type=bpy.types.Object, options={"HIDDEN"})
     message: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
 
 
 def copy(settings, to):
     """What a user sets, from one object's settings to another's."""
     for name in HairSettings.__annotations__:
-        if name not in {"cache_path", "source", "message"}:
+        if name not in {"cache_path", "source", "insides_object", "message"}:
             setattr(to, name, getattr(settings, name))
 
 

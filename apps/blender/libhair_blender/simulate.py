@@ -11,10 +11,11 @@ import numpy
 import libhair
 from libhair import Error
 
-from . import axes, cache, curves, playback
+from . import axes, cache, curves, insides, line_cache, playback
 from .operators import reported
 from .rig import Rig
 from .settings import copy
+from .shadow import lights_of
 
 
 def frame_settings(hair, scene):
@@ -60,7 +61,8 @@ class Run:
         self.back_to = self.scene.frame_current_final
         self.first, self.last = self.scene.frame_start, self.scene.frame_end
         self.rest, self.first_of, self.radius = curves.read(hair)
-        self.writer = None
+        self.insides = insides.names_of(hair.libhair.insides)
+        self.writer = self.line_writer = None
         try:
             self._begin()
         except BaseException:
@@ -89,16 +91,32 @@ class Run:
         )
         place = self.rig.now(graph)
         self.simulation = libhair.Simulation(
-            groom, frame_settings(self.hair, self.scene), head=self.rig.field, **place
+            groom, self._settings(graph), head=self.rig.field, **place
         )
         self.simulation.restart(ours.settle, **place)
-        self.writer = cache.Writer(cache_file(self.hair), self.first, len(self.rest))
+        path = cache_file(self.hair)
+        self.writer = cache.Writer(path, self.first, len(self.rest))
+        if self.insides:
+            self.line_writer = line_cache.Writer(line_cache.file_of(path), self.first, self.insides)
         self._keep(graph)
         self.frame = self.first
+
+    def _settings(self, graph):
+        """Bricks are those of a light's map, which nothing else of a simulation needs."""
+        settings = frame_settings(self.hair, self.scene)
+        if "bricks" not in self.insides:
+            return settings
+        _, light = lights_of(self.scene, graph)[0]
+        return settings.replace(lights=(light,), shadow=True)
 
     def _keep(self, graph):
         world = axes.from_libhair(self.simulation.points.astype(float), self.scale)
         self.writer.add(axes.packed(axes.move(numpy.linalg.inv(self._hair_matrix(graph)), world)))
+        if self.line_writer:
+            lines = [self.simulation.lines(name) for name in self.insides]
+            self.line_writer.add(
+                [(axes.from_libhair(ends, self.scale), colours) for ends, colours in lines]
+            )
 
     @property
     def done(self):
@@ -108,12 +126,18 @@ class Run:
         """The next frame."""
         graph = self._go(self.frame + 1)
         fps = self.scene.render.fps / self.scene.render.fps_base
+        if "bricks" in self.insides:
+            self.simulation.settings = self._settings(graph)
         self.simulation.step(1 / fps, **self.rig.now(graph))
         self._keep(graph)
         self.frame += 1
 
     def finish(self):
         """Moves the hair; returns the Curves object that has it."""
+        if self.line_writer:
+            self.line_writer.finish()
+        else:
+            cache.remove(line_cache.file_of(self.writer.path))
         self.writer.finish()
         hair = self.hair
         if hair.type != "CURVES":
@@ -124,11 +148,13 @@ class Run:
             hair.libhair.cache_path = bpy.path.relpath(self.writer.path)
         self._go(self.back_to)
         playback.show(hair, self.scene)
+        insides.show(hair, self.scene)
         return hair
 
     def abandon(self):
-        if self.writer:
-            self.writer.abandon()
+        for writer in (self.writer, self.line_writer):
+            if writer:
+                writer.abandon()
         self._go(self.back_to)
 
 
@@ -244,6 +270,8 @@ class LIBHAIR_OT_free_cache(bpy.types.Operator):
         path = hair.libhair.cache_path
         if not any(o.libhair.cache_path == path for o in bpy.data.objects if o != hair):
             cache.remove(bpy.path.abspath(path))
+            cache.remove(line_cache.file_of(bpy.path.abspath(path)))
+        insides.remove(hair)
         hair.libhair.cache_path = hair.libhair.message = ""
         source = hair.libhair.source
         if source is None:

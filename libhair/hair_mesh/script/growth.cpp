@@ -10,7 +10,7 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/core/transform.h>
-#include <libhair/geometry/shared_sdf.h>
+#include <libhair/geometry/mesh_sdf.h>
 #include <libhair/hair_mesh/operations.h>
 #include <libhair/model/comb.h>
 
@@ -104,7 +104,7 @@ namespace {
 constexpr std::uint32_t kMostLayers = 1000;
 
 const MeshSdf& builtinHeadSdf() {
-  // As the built-in styles have it. Kept: it takes a second to build.
+  // As for the built-in styles. Cached: it takes a second to build.
   static const std::shared_ptr<const MeshSdf> sdf = sharedSdf(builtinHead().mesh, 0.004f, 0.1f);
   return *sdf;
 }
@@ -229,13 +229,13 @@ ScriptStep readGroup(ScriptWords& words) {
   };
 }
 
-// groups none: what an included script grows is left to this one
+// groups none: removes the groups of an included script, so that this one defines all
 ScriptStep readGroups(ScriptWords& words) {
   words.expect(words.take("none"), "after `groups` comes `none`");
   return [](Workshop& w) { w.style.groups.clear(); };
 }
 
-// tie SEL [at LAYER]: up to its tips, or a layer, hair keeps its place on the head
+// tie SEL [at LAYER]: fixes the hair to the head, up to its tips or up to a layer
 ScriptStep readTie(ScriptWords& words) {
   const std::string name = words.name("a selection");
   std::uint32_t layer = kMostLayers;

@@ -12,7 +12,7 @@ void growTo(Workshop& workshop, std::span<const std::uint32_t> bundles, std::uin
 using CurveFromRoot =
     std::function<void(glm::vec3 root, glm::vec3 beside, std::span<glm::vec3> curve)>;
 
-/// Grows the bundles to `layers` and lays layer k of all their vertices on point k of the curves.
+/// Grows the bundles to `layers` and moves layer k of all their vertices to point k of the curves.
 void layAlong(Workshop& workshop, std::span<const std::uint32_t> bundles, std::uint32_t layers,
               const CurveFromRoot& curveOf);
 

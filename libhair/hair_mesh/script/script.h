@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <libhair/core/api.h>
+#include <libhair/hair_mesh/grow.h>
 #include <libhair/hair_mesh/hair_mesh.h>
-#include <libhair/hair_mesh/styling.h>
 
 namespace hair {
 // What a script is applied to: the hairstyle so far, its selections, the head. Not public.
@@ -53,7 +53,7 @@ struct ScriptLimits {
   std::size_t work = 1'000'000'000;  ///< corners of faces, summed over passes over the mesh
 };
 
-/// Throws Error (file, line, cause) for a line that no operation understands.
+/// Throws Error (file, line, cause) for a line that is no operation.
 HairMeshScript parseHairMeshScript(std::string_view text, std::string_view name);
 /// The same from a file; throws Error where it cannot be read, too.
 HairMeshScript readHairMeshScript(const std::filesystem::path& file);
@@ -68,7 +68,7 @@ class ScriptRun {
   /// Applies a line, or throws Error (file, line, cause) and changes nothing.
   void apply(const HairMeshScript& script, std::size_t line);
 
-  /// The hairstyle as the lines so far left it.
+  /// The hairstyle after the lines so far.
   const Hairstyle& style() const;
 
  private:

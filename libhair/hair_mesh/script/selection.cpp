@@ -1,4 +1,4 @@
-// Scalps, and sets of bundles that operations are for.
+// Script operations that make scalps and select bundles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -97,7 +97,7 @@ float lengthOf(const HairMesh& mesh, std::size_t bundle) {
   return length;
 }
 
-// What is known of a bundle, for `select ... z < 0`.
+// Properties of a bundle that `select ... z < 0` compares.
 struct Quantity {
   std::string_view name;
   float (*of)(const Workshop& w, std::uint32_t bundle);

@@ -1,4 +1,4 @@
-// Hair that is gathered, and what is made of it: tails, knots, buns.
+// Script operations that gather hair and shape it: tails, knots, buns.
 #include <algorithm>
 #include <array>
 #include <cmath>

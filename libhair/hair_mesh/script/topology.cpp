@@ -83,7 +83,7 @@ ScriptStep readDelete(ScriptWords& words) {
   };
 }
 
-// Once for each piece of a layer in which bundles are joined.
+// Calls change(bundles) once for each connected part of a layer.
 template <class Change>
 void forEachPiece(Workshop& w, std::uint32_t layer, const std::string& name, const Change& change) {
   BundleSet done(w.mesh().bundleCount(), 0);
@@ -151,7 +151,7 @@ std::vector<SeamEdge> edgesOf(const Workshop& w, const Seam& seam) {
     w.selected("all");
     require(w.sectors > 0,
             "a scalp from a file has no parting or whorl; name the bundles on both sides");
-    // Of an odd number of sectors the first and the last are even, and the parting's.
+    // The first and the last sector meet at the parting; both are even if their number is odd.
     for (std::size_t j = 0; j < a.size(); ++j) {
       const bool even = w.sector[j] % 2 == 0, last = w.sector[j] + 1 == w.sectors;
       a[j] = seam.parting ? w.sector[j] == 0 : w.ring[j] == 0 && even;

@@ -32,7 +32,7 @@ class ScriptWords {
     return words_[at_++];
   }
 
-  /// Goes on if the next word is this one.
+  /// Takes the next word if it is this one.
   bool take(std::string_view wanted) {
     if (done() || words_[at_] != wanted) return false;
     ++at_;
@@ -41,7 +41,7 @@ class ScriptWords {
 
   bool nextIsNumber() const { return !done() && words_[at_].find_first_of("0123456789+-.") == 0; }
 
-  /// A name that a script gives: a letter, then letters, digits, `-` and `_`.
+  /// A name made by the script: a letter, then letters, digits, `-` and `_`.
   std::string name(std::string_view what) {
     const std::string_view w = word(what);
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -93,7 +93,8 @@ class ScriptWords {
     return glm::normalize(d);
   }
 
-  /// The rest of the line: words in any order, each once, with what reads what follows it.
+  /// Reads the rest of the line: keywords in any order, each at most once, each with the function
+  /// that reads its arguments.
   void options(std::initializer_list<std::pair<std::string_view, std::function<void()>>> options) {
     std::vector<std::string_view> seen;
     while (!done()) {

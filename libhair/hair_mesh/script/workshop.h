@@ -64,8 +64,8 @@ std::size_t usedCorners(const HairMesh& mesh);
 /// Outward direction of a distance field.
 glm::vec3 outwards(const std::function<float(glm::vec3)>& distance, glm::vec3 p);
 
-/// Which vertices an operation of geometry is for: `SEL [at tip | K | A..B] [ramp]`. Those of the
-/// scalp never.
+/// The vertices that a geometric operation moves, never the scalp's: `SEL [at tip | K | A..B]
+/// [ramp]`.
 struct Target {
   std::string selection;
   std::uint32_t lowest = 1, highest = 0xfffffffe;  ///< layers
@@ -85,7 +85,7 @@ std::vector<TargetVertex> verticesOf(const Workshop& workshop, const Target& tar
 
 using ScriptStep = std::function<void(Workshop&)>;
 
-/// An operation: the first word of its lines, and what reads the rest of one.
+/// An operation: the first word of its lines, and the function that reads the rest of one.
 struct ScriptCommand {
   std::string_view name;
   ScriptStep (*read)(ScriptWords& words);

@@ -1,8 +1,11 @@
 #include <algorithm>
 
 #include <libhair/core/error.h>
+#include <libhair/guides/substep_memory.h>
 #include <libhair/measure/motion/feature_cost.h>
 #include <libhair/simulation/stages.h>
+#include <libhair/wisps/guide_curves.h>
+#include <libhair/wisps/obstacles.h>
 
 namespace hair {
 
@@ -158,16 +161,16 @@ std::size_t hairBytes(const Hair& hair) {
   const GuideStrands& g = hair.guides;
   const Wisps& w = hair.wisps;
   const Groom& groom = *hair.groom;
-  const GuideWorkspace& scratch = HairScratch::guides(hair);
+  const SubstepMemory& scratch = HairScratch::guides(hair).memory();
   return bytesOfAll(g.position, g.velocity, g.tension, g.restPosition, g.rootTangent, g.rootNormal,
                     g.linkLength, g.restTension, g.curvature, g.jointStiffness, g.pointMass,
                     g.clearance) +
          bytesOfAll(scratch.bending.inverseD, scratch.bending.below1, scratch.bending.below2,
                     scratch.heads, scratch.capsules) +
          bytesOfAll(groom.guidePoints, groom.first, groom.parents, groom.weights, groom.offsets) +
-         bytesOfAll(w.points, w.curves.basis, w.curves.rows, w.curves.lower, w.curves.upper,
-                    w.rootOffsets, w.clearance, w.sampleTable, w.tableOf, w.obstacles.axes,
-                    w.obstacles.near, w.obstacles.room) +
+         bytesOfAll(w.points, w.curves->basis, w.curves->rows, w.curves->lower, w.curves->upper,
+                    w.rootOffsets, w.clearance, w.sampleTable, w.tableOf, w.obstacles->axes,
+                    w.obstacles->near, w.obstacles->room) +
          bytesOfAll(hair.repulsion.density, hair.repulsion.allowed, hair.repulsion.push) +
          bytesOfAll(hair.maps, hair.transmittance, hair.visibility, hair.radiance, hair.colours,
                     hair.capsules);

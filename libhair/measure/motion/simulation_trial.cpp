@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <libhair/core/error.h>
-#include <libhair/guides/measure.h>
+#include <libhair/guides/guide_strands.h>
 #include <libhair/wisps/bind.h>
 
 namespace hair {

@@ -1,4 +1,4 @@
-#include <libhair/measure/shadow/candidates.h>
+#include <libhair/measure/shadow/shadow_trial.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <libhair/core/error.h>
-#include <libhair/shadow/automatic.h>
+#include <libhair/shadow/density_map.h>
 
 namespace hair {
 
@@ -93,31 +93,44 @@ void addShadowMaps(float footprint, CandidateSet set, List& list) {
   list.add(settings);
 }
 
-void addOpacityMaps(float footprint, CandidateSet set, List& list) {
-  OpacityMapSettings settings;
-  settings.pixelSize = footprint;
-  settings.slices = 64;
-  list.add(settings);
-  if (set == CandidateSet::Quick) return;
-  for (const int slices : {16, 128}) {
-    settings.slices = slices;
-    list.add(settings);
-  }
-  settings.pixelSize = footprint * 2 / 3;
-  for (const int slices : {16, 64, 128}) {
-    settings.slices = slices;
-    list.add(settings);
-  }
-  settings.pixelSize = footprint * 1.5f;
-  settings.slices = 64;
-  list.add(settings);
-  list.add(OpacityMapSettings{footprint, 16, Extinction::Published, LateralFilter::Nearest});
+// Sizes of a light image's pixels that are tried, metres.
+struct PixelSizes {
+  float usual, fine, coarse;
+  explicit PixelSizes(float footprint)
+      : usual(footprint), fine(footprint * 2 / 3), coarse(footprint * 1.5f) {}
+};
+
+// As in the method's own paper: its extinction, and one fetch.
+template <class Settings>
+Settings published(float pixelSize) {
+  Settings settings;
+  settings.pixelSize = pixelSize;
+  settings.extinction = Extinction::Published;
+  settings.filter = LateralFilter::Nearest;
+  return settings;
 }
 
-void addDeepOpacityMaps(float footprint, CandidateSet set, List& list) {
+void addOpacityMaps(const PixelSizes& pixels, CandidateSet set, List& list) {
+  OpacityMapSettings settings;
+  const auto add = [&](float pixelSize, int slices) {
+    settings.pixelSize = pixelSize;
+    settings.slices = slices;
+    list.add(settings);
+  };
+  add(pixels.usual, 64);
+  if (set == CandidateSet::Quick) return;
+  for (const int slices : {16, 128}) add(pixels.usual, slices);
+  for (const int slices : {16, 64, 128}) add(pixels.fine, slices);
+  add(pixels.coarse, 64);
+  auto paper = published<OpacityMapSettings>(pixels.usual);
+  paper.slices = 16;
+  list.add(paper);
+}
+
+void addDeepOpacityMaps(const PixelSizes& pixels, CandidateSet set, List& list) {
   using Growth = DeepOpacityMapSettings::Growth;
   DeepOpacityMapSettings settings;
-  settings.pixelSize = footprint;
+  settings.pixelSize = pixels.usual;
   settings.layers = 7;
   list.add(settings);
   if (set == CandidateSet::Quick) return;
@@ -130,69 +143,52 @@ void addDeepOpacityMaps(float footprint, CandidateSet set, List& list) {
     }
   settings.layers = 15;
   settings.growth = Growth::Linear;
-  settings.pixelSize = footprint * 2 / 3;
+  settings.pixelSize = pixels.fine;
   list.add(settings);
-  settings.pixelSize = footprint;
+  // Deeper layers.
   settings.depth *= 2;
-  list.add(settings);
-  settings.pixelSize = footprint * 1.5f;
-  list.add(settings);
-  settings.pixelSize = footprint;
+  for (const float pixelSize : {pixels.usual, pixels.coarse}) {
+    settings.pixelSize = pixelSize;
+    list.add(settings);
+  }
+  settings.pixelSize = pixels.usual;
   settings.beyond = DeepOpacityMapSettings::Beyond::LargerLayers;
   list.add(settings);
-  // Add the paper's own: three layers, one fetch.
-  DeepOpacityMapSettings paper;
-  paper.pixelSize = footprint;
+  auto paper = published<DeepOpacityMapSettings>(pixels.usual);
   paper.layers = 3;
-  paper.extinction = Extinction::Published;
-  paper.filter = LateralFilter::Nearest;
   list.add(paper);
 }
 
-void addDensityClusterings(float footprint, CandidateSet set, List& list) {
+void addDensityClusterings(const PixelSizes& pixels, CandidateSet set, List& list) {
   DensityClusteringSettings settings;
-  settings.pixelSize = footprint;
-  settings.clusters = 4;
-  list.add(settings);
-  if (set == CandidateSet::Quick) return;
-  settings.clusters = 8;
-  list.add(settings);
-  settings.pixelSize = footprint * 2 / 3;
-  for (const int clusters : {4, 8}) {
+  const auto add = [&](float pixelSize, int clusters) {
+    settings.pixelSize = pixelSize;
     settings.clusters = clusters;
     list.add(settings);
-  }
-  settings.pixelSize = footprint * 1.5f;
-  list.add(settings);
-  settings.pixelSize = footprint;
+  };
+  add(pixels.usual, 4);
+  if (set == CandidateSet::Quick) return;
+  add(pixels.usual, 8);
+  for (const int clusters : {4, 8}) add(pixels.fine, clusters);
+  add(pixels.coarse, 8);
   settings.start = DensityClusteringSettings::Start::TowardsLight;
-  list.add(settings);
-  DensityClusteringSettings paper;  // section 3: four clusters, one fetch
-  paper.pixelSize = footprint;
-  paper.extinction = Extinction::Published;
-  paper.filter = LateralFilter::Nearest;
-  list.add(paper);
+  add(pixels.usual, 8);
+  list.add(published<DensityClusteringSettings>(pixels.usual));  // section 3: four clusters
 }
 
-void addDeepShadowMaps(float footprint, CandidateSet set, List& list) {
+void addDeepShadowMaps(const PixelSizes& pixels, CandidateSet set, List& list) {
   DeepShadowMapSettings settings;
-  settings.pixelSize = footprint;
-  settings.tolerance = 0.01f;
-  list.add(settings);
-  if (set == CandidateSet::Quick) return;
-  settings.tolerance = 0.05f;
-  list.add(settings);
-  settings.pixelSize = footprint * 2 / 3;
-  for (const float tolerance : {0.01f, 0.05f}) {
+  const auto add = [&](float pixelSize, float tolerance) {
+    settings.pixelSize = pixelSize;
     settings.tolerance = tolerance;
     list.add(settings);
-  }
-  settings.pixelSize = footprint * 1.5f;
-  settings.tolerance = 0.01f;
-  list.add(settings);
-  settings.pixelSize = footprint;
-  settings.tolerance = 0;
-  list.add(settings);
+  };
+  add(pixels.usual, 0.01f);
+  if (set == CandidateSet::Quick) return;
+  add(pixels.usual, 0.05f);
+  for (const float tolerance : {0.01f, 0.05f}) add(pixels.fine, tolerance);
+  add(pixels.coarse, 0.01f);
+  add(pixels.usual, 0);
 }
 
 }  // namespace
@@ -206,10 +202,11 @@ std::vector<ShadowCandidate> shadowCandidates(StrandView strands, const LightSpa
   list.add("auto", "auto", automaticMapSettings(strands, light, footprint));
   addDensityMaps(footprint, extent, set, list);
   addShadowMaps(footprint, set, list);
-  addOpacityMaps(footprint, set, list);
-  addDeepOpacityMaps(footprint, set, list);
-  addDensityClusterings(footprint, set, list);
-  addDeepShadowMaps(footprint, set, list);
+  const PixelSizes pixels(footprint);
+  addOpacityMaps(pixels, set, list);
+  addDeepOpacityMaps(pixels, set, list);
+  addDensityClusterings(pixels, set, list);
+  addDeepShadowMaps(pixels, set, list);
   return std::move(list.candidates);
 }
 

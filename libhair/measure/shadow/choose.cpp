@@ -17,7 +17,9 @@
 #include <tuple>
 
 #include <libhair/core/error.h>
-#include <libhair/shadow/automatic.h>
+#include <libhair/measure/shadow/cost_model.h>
+#include <libhair/measure/shadow/error_model.h>
+#include <libhair/shadow/density_map.h>
 
 namespace hair {
 

@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <string>
 
-#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
+#include <libhair/measure/shadow/choose.h>
 #include <libhair/measure/shadow/hair_features.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// The stages of shadow methods whose time is predicted, each with its own coefficients.
 enum class CostStage {
@@ -31,23 +31,7 @@ enum class CostStage {
   DeepShadowMapSample,   ///< deep shadow map
   Count                  ///< number of stages
 };
-/// Number of stages.
-inline constexpr std::size_t kCostStages = static_cast<std::size_t>(CostStage::Count);
-/// Largest number of coefficients of a stage.
-inline constexpr std::size_t kCostTerms = 5;
-
-/// Amounts of the operations that take the time of a stage; costTerms defines them.
-using CostTerms = std::array<double, kCostTerms>;
-
-/// Speed of a machine with some number of threads, in nanoseconds per unit of a term. Plain
-/// numbers: fitted once by calibrate(), valid while machine, threads and library are the same.
-struct MachineCosts {
-  std::array<CostTerms, kCostStages> nanoseconds{};  ///< [stage][term]
-  int threads = 0;                                   ///< threads at calibration
-};
-
-/// One line per stage: its name and its coefficients, nanoseconds.
-std::string costText(const MachineCosts& machine);
+static_assert(static_cast<std::size_t>(CostStage::Count) == kCostStages);
 
 /// The stages that these settings build and sample with.
 struct CostStages {
@@ -69,25 +53,8 @@ CostStages costStages(const ShadowSettings& settings);
 ///  - images, sample: points, points · amount read per point.
 CostTerms costTerms(CostStage stage, const HairFeatures& hair, const ShadowSettings& settings);
 
-/// Predicted time of some settings on a machine.
-struct PredictedTime {
-  double buildMilliseconds = 0;   ///< with memory allocated by an earlier build
-  double sampleMilliseconds = 0;  ///< at all points of the hair
-  /// Their sum: the cost of a frame with moving hair.
-  double milliseconds() const { return buildMilliseconds + sampleMilliseconds; }
-};
 /// The sum of costTerms times the machine's coefficients, of build and of sample.
 PredictedTime predictTime(const MachineCosts& machine, const HairFeatures& hair,
                           const ShadowSettings& settings);
-
-/// Times every stage on this hair (some thousand strands or more, to tell the stages apart) under
-/// an oblique light, with threadCount() threads: on the strands in their order, in random order,
-/// and on half of them with a third of their points, at several resolutions; the least of `repeats`
-/// (>= 1) rounds counts. Fits non-negative coefficients with the least sum of squared relative
-/// errors. Throws Error for no repeats, and for hair of less than 2 strands or without inner
-/// points.
-MachineCosts calibrate(StrandView strands, const Fibre& fibre, int repeats = 3);
-/// Calibrates on the built-in smooth style; takes seconds.
-MachineCosts calibrate();
 
 }  // namespace hair

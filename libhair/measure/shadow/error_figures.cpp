@@ -1,4 +1,4 @@
-#include <libhair/measure/shadow/error_figures.h>
+#include <libhair/measure/shadow/truth.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/random.h>
-#include <libhair/measure/shadow/error_figures.h>
+#include <libhair/measure/shadow/truth.h>
 
 namespace hair {
 
@@ -15,10 +15,9 @@ ErrorPilot::ErrorPilot(StrandView strands, const Fibre& fibre, const LightSpace&
     : strands_(strands), fibre_(fibre), light_(light) {
   require(footprint > 0 && std::isfinite(footprint), "shadow footprint: ", footprint,
           " m is not positive");
-  require(settings.points >= 8, "error pilot: ", settings.points, " points; take 8 or more");
-  require(settings.leastRays >= 8 && settings.leastRays <= settings.mostRays,
-          "error pilot: ", settings.leastRays, " to ", settings.mostRays,
-          " rays a point; take 8 or more, and no more at least than at most");
+  validateFields(settings, "error pilot");
+  require(settings.leastRays <= settings.mostRays, "error pilot: leastRays ", settings.leastRays,
+          " is more than mostRays ", settings.mostRays);
   // Choose the points, and trace two independent halves of the rays until the noise is low enough.
   points_ = chooseSamplePoints(strands, settings.points, settings.seed);
   require(!points_.empty(), "error pilot: the hair has no points but roots to compare shadows at");

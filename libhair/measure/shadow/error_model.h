@@ -3,34 +3,14 @@
 #include <cstdint>
 #include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
-#include <libhair/light/light_space.h>
+#include <libhair/light/light.h>
+#include <libhair/measure/shadow/choose.h>
 #include <libhair/measure/shadow/truth.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
-namespace HAIR_API hair {
-
-/// Size of the pilot. Most of a prediction's standard error comes from the choice of points, as
-/// errors have long tails. Rays are added until errors can be told from noise: wide fibres need
-/// few, and their rays are slow.
-struct PilotSettings {
-  std::uint32_t points = 5000;    ///< >= 8; fewer where the hair has fewer
-  std::uint32_t leastRays = 64;   ///< per point, >= 8, in two independent halves
-  std::uint32_t mostRays = 1024;  ///< >= leastRays
-  /// Rays are quadrupled until the noise of the truth (root mean square) is below this, or until
-  /// mostRays.
-  float noise = 5e-3f;
-  std::uint32_t seed = 0x9107u;  ///< of points and rays
-};
-
-/// Expected mean absolute error of transmittance at the points of the hair, and the standard error
-/// of that, from the pilot's choice of points and rays.
-struct PredictedError {
-  double meanAbsolute = 0;   ///< of transmittance
-  double standardError = 0;  ///< of meanAbsolute
-};
+namespace hair {
 
 /// Predicts the error of any settings at the cost of one build, against traced rays at few points
 /// of this hair.

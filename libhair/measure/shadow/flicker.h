@@ -7,7 +7,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/strands.h>
-#include <libhair/light/light_space.h>
+#include <libhair/light/light.h>
 #include <libhair/measure/shadow/truth.h>
 #include <libhair/model/groom.h>
 #include <libhair/shadow/methods/shadow_method.h>

@@ -1,3 +1,4 @@
+#include <libhair/density/cell_frame.h>
 #include <libhair/measure/shadow/hair_features.h>
 
 #include <algorithm>

@@ -5,11 +5,10 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
-#include <libhair/light/light_space.h>
+#include <libhair/light/light.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// The properties of hair that determine the time of its shadows, in the axes of its light: x along
 /// it, y and z across. Lengths in metres; under a light at a point those of its mapping

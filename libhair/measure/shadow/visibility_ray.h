@@ -6,13 +6,12 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
-#include <libhair/light/light_space.h>
+#include <libhair/light/light.h>
 #include <libhair/measure/shadow/truth.h>
 #include <libhair/model/groom.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Points along one ray of the light through hair, and what reaches them: the visibility function
 /// that figure 5 of Mertens et al. 2004 compares methods by.

@@ -5,10 +5,9 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
 #include <libhair/density/cell_frame.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Cell coordinates of up to 64 points as structure of arrays, in loops that vectorise.
 /// Bit-identical to CellFrame::cellCoordinates.

@@ -82,9 +82,7 @@ class DeepOpacityMap final : public ImageMethod {
       : settings_(settings), layers_(settings.layers, settings.growth) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
-    requireFibre(fibre, "deep opacity map");
-    setOwnShadow(fibre, settings_);
-    const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
+    const LightImage image = startBuild(strands, fibre, light, settings_, "deep opacity map");
     words_.reset(image, settings_.layers + 1, "deep opacity map");
     image_ = image;
     const float all = image.farthest - image.nearest;
@@ -170,11 +168,7 @@ class DeepOpacityMap final : public ImageMethod {
 }  // namespace
 
 std::unique_ptr<ShadowMethod> makeDeepOpacityMap(const DeepOpacityMapSettings& settings) {
-  requirePixelSize(settings.pixelSize, "deep opacity map");
-  require(settings.layers >= 1 && settings.layers <= kMostLayers,
-          "deep opacity map: ", settings.layers, " layers are not in 1 to ", kMostLayers);
-  require(settings.depth > 0 && std::isfinite(settings.depth), "deep opacity map: depth ",
-          settings.depth, " m of all layers is not positive");
+  validateFields(settings, "deep opacity map");
   require(settings.depthBits == 8 || settings.depthBits == 16 || settings.depthBits == 32,
           "deep opacity map: depths of ", settings.depthBits, " bits are not 8, 16 or 32");
   return std::make_unique<DeepOpacityMap>(settings);

@@ -114,11 +114,9 @@ class DeepShadowMap final : public ImageMethod {
   explicit DeepShadowMap(const DeepShadowMapSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
-    requireFibre(fibre, "deep shadow map");
-    setOwnShadow(fibre, settings_);
     // Deviation: fragments have the pixel's mean optical depth. The paper traces many rays a pixel,
     // on which fibres are opaque, and averages their functions.
-    const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
+    const LightImage image = startBuild(strands, fibre, light, settings_, "deep shadow map");
     buildFragmentLists(strands, fibre, settings_.extinction, image, lists_);
     image_ = image;
     const std::size_t pixels = image_.pixelCount();
@@ -177,10 +175,7 @@ class DeepShadowMap final : public ImageMethod {
 }  // namespace
 
 std::unique_ptr<ShadowMethod> makeDeepShadowMap(const DeepShadowMapSettings& settings) {
-  require(settings.pixelSize > 0 && std::isfinite(settings.pixelSize),
-          "deep shadow map: pixel size ", settings.pixelSize, " m is not positive");
-  require(settings.tolerance >= 0 && std::isfinite(settings.tolerance),
-          "deep shadow map: tolerance ", settings.tolerance, " is not 0 or more");
+  validateFields(settings, "deep shadow map");
   return std::make_unique<DeepShadowMap>(settings);
 }
 

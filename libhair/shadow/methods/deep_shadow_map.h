@@ -4,23 +4,11 @@
 #include <span>
 #include <vector>
 
-#include <libhair/core/api.h>
 #include <libhair/shadow/methods/fragment_lists.h>
-#include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
+#include <libhair/shadow/methods/shadow_method.h>
 
-namespace HAIR_API hair {
-
-class ShadowMethod;
-
-/// Deep shadow maps (Lokovic and Veach 2000): each pixel's visibility function, compressed greedily
-/// to linear pieces that are within `tolerance` of it everywhere.
-struct DeepShadowMapSettings {
-  float pixelSize = 3e-3f;  ///< metres, > 0
-  float tolerance = 0.01f;  ///< of transmittance, >= 0; 0: every fragment is kept
-  Extinction extinction = Extinction::Unbiased;  ///< how opacity becomes optical depth
-  LateralFilter filter = LateralFilter::Linear;  ///< between pixels
-};
+namespace hair {
 
 /// A vertex of a visibility function: linear between two, a step between two at the same depth, 1
 /// in front of the first, constant behind the last.

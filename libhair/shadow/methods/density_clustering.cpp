@@ -155,9 +155,7 @@ class DensityClustering final : public ImageMethod {
   explicit DensityClustering(const DensityClusteringSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
-    requireFibre(fibre, "density clustering");
-    setOwnShadow(fibre, settings_);
-    const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
+    const LightImage image = startBuild(strands, fibre, light, settings_, "density clustering");
     buildFragmentLists(strands, fibre, settings_.extinction, image, lists_);
     image_ = image;
     const std::size_t pixels = image_.pixelCount();
@@ -211,12 +209,7 @@ class DensityClustering final : public ImageMethod {
 }  // namespace
 
 std::unique_ptr<ShadowMethod> makeDensityClustering(const DensityClusteringSettings& settings) {
-  require(settings.pixelSize > 0 && std::isfinite(settings.pixelSize),
-          "density clustering: pixel size ", settings.pixelSize, " m is not positive");
-  require(settings.clusters >= 1 && settings.clusters <= int{kMostClusters},
-          "density clustering: ", settings.clusters, " clusters are not 1 to ", kMostClusters);
-  require(settings.iterations >= 1, "density clustering: ", settings.iterations,
-          " iterations; take 1 or more");
+  validateFields(settings, "density clustering");
   return std::make_unique<DensityClustering>(settings);
 }
 

@@ -4,31 +4,11 @@
 #include <memory>
 #include <span>
 
-#include <libhair/core/api.h>
 #include <libhair/shadow/methods/fragment_lists.h>
-#include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
+#include <libhair/shadow/methods/shadow_method.h>
 
-namespace HAIR_API hair {
-
-class ShadowMethod;
-
-/// Density clustering (Mertens et al. 2004): each pixel's fragments are clustered by depth; a
-/// cluster is a bin over which optical depth grows linearly, sqrt(3) standard deviations to both
-/// sides of its mean (section 3.2).
-struct DensityClusteringSettings {
-  /// Initial positions of clusters (section 3.3).
-  enum class Start {
-    Uniform,       ///< evenly between a pixel's first and last fragment
-    TowardsLight,  ///< closer together near the light, where shadows change most
-  };
-  float pixelSize = 3e-3f;                       ///< metres, > 0
-  int clusters = 4;                              ///< K, 1 to 64
-  int iterations = 1;                            ///< of k-means, >= 1
-  Start start = Start::Uniform;                  ///< of k-means
-  Extinction extinction = Extinction::Unbiased;  ///< how opacity becomes optical depth
-  LateralFilter filter = LateralFilter::Linear;  ///< between pixels
-};
+namespace hair {
 
 /// A depth interval over which optical depth grows linearly; a step if from = to.
 struct DepthBin {

@@ -1,10 +1,8 @@
 #include <libhair/shadow/methods/density_map_method.h>
 
 #include <libhair/core/error.h>
-#include <libhair/shadow/deposit.h>
-#include <libhair/shadow/filter.h>
+#include <libhair/shadow/density_map.h>
 #include <libhair/shadow/methods/shadow_method.h>
-#include <libhair/shadow/transmittance.h>
 
 namespace hair {
 

@@ -1,13 +1,9 @@
 #pragma once
 
+#include <libhair/shadow/methods/shadow_method.h>
 #include <memory>
 
-#include <libhair/core/api.h>
-#include <libhair/shadow/density_map.h>
-
-namespace HAIR_API hair {
-
-class ShadowMethod;
+namespace hair {
 
 /// The light-oriented density map as a ShadowMethod. Its build throws Error if the hair is larger
 /// than the map. Throws Error for settings out of range.

@@ -5,12 +5,10 @@
 #include <span>
 #include <vector>
 
-#include <libhair/core/api.h>
-#include <libhair/core/fibre.h>
 #include <libhair/core/strands.h>
 #include <libhair/shadow/methods/light_image.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// A fragment in the list of its pixel.
 struct PixelFragment {

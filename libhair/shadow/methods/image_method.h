@@ -5,7 +5,7 @@
 
 #include <libhair/shadow/extinction.h>
 #include <libhair/shadow/footprint.h>
-#include <libhair/shadow/methods/lateral_filter.h>
+#include <libhair/shadow/methods/light_image.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
 namespace hair {
@@ -22,7 +22,18 @@ class ImageMethod : public ShadowMethod {
   }
 
  protected:
-  /// Settings: any with pixelSize, extinction and filter.
+  /// What every build starts with: checks the fibre, sets the factor for strands' own shadows, and
+  /// fits the image to the strands. Settings: any with pixelSize, extinction and filter. `method`:
+  /// the name in errors.
+  template <class Settings>
+  LightImage startBuild(StrandView strands, const Fibre& fibre, const LightSpace& light,
+                        const Settings& settings, const char* method) {
+    requireFibre(fibre, method);
+    setOwnShadow(fibre, settings);
+    return makeLightImage(strands, light, settings.pixelSize);
+  }
+
+ private:
   template <class Settings>
   void setOwnShadow(const Fibre& fibre, const Settings& settings) {
     withoutOwn_ = 1;
@@ -34,7 +45,6 @@ class ImageMethod : public ShadowMethod {
     withoutOwn_ = std::exp(0.5f * fibre.width * extinctionOf(fibre, settings.pixelSize) * line);
   }
 
- private:
   float withoutOwn_ = 1;
 };
 

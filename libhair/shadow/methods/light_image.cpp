@@ -4,6 +4,7 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/density/cell_frame.h>
 
 namespace hair {
 
@@ -32,7 +33,8 @@ Bounds cellBounds(std::span<const glm::vec3> points, const CellFrame& frame) {
 }  // namespace
 
 LightImage makeLightImage(StrandView strands, const LightSpace& light, float pixelSize) {
-  requirePixelSize(pixelSize, "light image");
+  require(pixelSize > 0 && std::isfinite(pixelSize), "light image: pixel size ", pixelSize,
+          " m is not positive");
   LightImage image;
   image.pixelSize = pixelSize;
   if (strands.pointCount() == 0) return image;
@@ -50,11 +52,6 @@ LightImage makeLightImage(StrandView strands, const LightSpace& light, float pix
   image.nearest = box.lower.x;
   image.farthest = box.upper.x;
   return image;
-}
-
-void requirePixelSize(float pixelSize, const char* method) {
-  require(pixelSize > 0 && std::isfinite(pixelSize), method, ": pixel size ", pixelSize,
-          " m is not positive");
 }
 
 void requireFibre(const Fibre& fibre, const char* method) {

@@ -6,14 +6,13 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/core/api.h>
 #include <libhair/core/strands.h>
 #include <libhair/density/cell_walk.h>
-#include <libhair/light/light_space.h>
+#include <libhair/light/light.h>
 #include <libhair/shadow/extinction.h>
 #include <libhair/shadow/methods/cell_batch.h>
 
-namespace HAIR_API hair {
+namespace hair {
 
 /// Image plane of a camera at the light, shared by all image methods. Pixels are the cells of a
 /// CellFrame projected along the light; depths are along the light, in pixels.
@@ -44,9 +43,6 @@ struct LightImage {
 /// 8192 pixels along an axis (use larger pixels; a light inside the hair has no bounded image).
 /// No hair: an image of no pixels.
 LightImage makeLightImage(StrandView strands, const LightSpace& light, float pixelSize);
-
-/// Throws Error for a pixel size that is not positive; `method` begins the message.
-void requirePixelSize(float pixelSize, const char* method);
 
 /// Throws Error for a fibre whose width, opacity or hairs a strand is negative or not finite;
 /// `method` begins the message.

@@ -15,9 +15,7 @@ class OpacityMap final : public ImageMethod {
   explicit OpacityMap(const OpacityMapSettings& settings) : settings_(settings) {}
 
   void build(StrandView strands, const Fibre& fibre, const LightSpace& light) override {
-    requireFibre(fibre, "opacity map");
-    setOwnShadow(fibre, settings_);
-    const LightImage image = makeLightImage(strands, light, settings_.pixelSize);
+    const LightImage image = startBuild(strands, fibre, light, settings_, "opacity map");
     sums_.reset(image, settings_.slices, "opacity map");
     image_ = image;
     // Hair in one plane would give slices of height 0.
@@ -66,9 +64,7 @@ class OpacityMap final : public ImageMethod {
 }  // namespace
 
 std::unique_ptr<ShadowMethod> makeOpacityMap(const OpacityMapSettings& settings) {
-  requirePixelSize(settings.pixelSize, "opacity map");
-  require(settings.slices >= 1 && settings.slices <= 1024, "opacity map: ", settings.slices,
-          " slices are not in 1 to 1024");
+  validateFields(settings, "opacity map");
   return std::make_unique<OpacityMap>(settings);
 }
 

@@ -2,8 +2,8 @@
 
 #include <glm/glm.hpp>
 
-#include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
+#include <libhair/shadow/methods/shadow_method.h>
 
 namespace hair {
 

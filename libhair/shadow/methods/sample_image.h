@@ -7,8 +7,8 @@
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
 #include <libhair/shadow/methods/cell_batch.h>
-#include <libhair/shadow/methods/lateral_filter.h>
 #include <libhair/shadow/methods/light_image.h>
+#include <libhair/shadow/methods/shadow_method.h>
 
 namespace hair {
 

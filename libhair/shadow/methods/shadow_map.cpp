@@ -1,6 +1,7 @@
 #include <libhair/shadow/methods/shadow_map.h>
 
 #include <libhair/core/error.h>
+#include <libhair/density/cell_frame.h>
 #include <libhair/shadow/methods/layer_sums.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
@@ -100,14 +101,10 @@ class ShadowMap final : public ShadowMethod {
 }  // namespace
 
 std::unique_ptr<ShadowMethod> makeShadowMap(const ShadowMapSettings& settings) {
-  requirePixelSize(settings.pixelSize, "shadow map");
-  require(settings.filterRadius >= 0 && std::isfinite(settings.filterRadius),
-          "shadow map: filter radius ", settings.filterRadius, " m is negative or not finite");
+  validateFields(settings, "shadow map");
   require(settings.filterRadius <= kWidestFilter * settings.pixelSize, "shadow map: filter radius ",
           settings.filterRadius, " m is more than ", kWidestFilter, " pixels of ",
           settings.pixelSize, " m; take larger pixels");
-  require(settings.bias >= 0 && std::isfinite(settings.bias), "shadow map: bias ", settings.bias,
-          " m is negative or not finite");
   return std::make_unique<ShadowMap>(settings);
 }
 

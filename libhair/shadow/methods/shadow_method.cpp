@@ -1,7 +1,12 @@
 #include <libhair/shadow/methods/shadow_method.h>
 
 #include <libhair/core/error.h>
+#include <libhair/shadow/methods/deep_opacity_map.h>
+#include <libhair/shadow/methods/deep_shadow_map.h>
+#include <libhair/shadow/methods/density_clustering.h>
 #include <libhair/shadow/methods/density_map_method.h>
+#include <libhair/shadow/methods/opacity_map.h>
+#include <libhair/shadow/methods/shadow_map.h>
 
 namespace hair {
 

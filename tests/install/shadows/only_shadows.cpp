@@ -4,9 +4,7 @@
 #include <cstdio>
 #include <vector>
 
-#include <libhair/shadow/deposit.h>
-#include <libhair/shadow/filter.h>
-#include <libhair/shadow/transmittance.h>
+#include <libhair/shadow/density_map.h>
 
 int main() {
   // Its own arrays: a wall of 100 × 100 level strands, 10 cm wide and deep, light from above.

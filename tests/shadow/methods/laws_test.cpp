@@ -4,6 +4,8 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/shadow/methods/deep_opacity_map.h>
+#include <libhair/shadow/methods/opacity_map.h>
 
 #include "methods.h"
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <libhair/shadow/methods/deep_opacity_map.h>
+#include <libhair/shadow/methods/opacity_map.h>
 #include "methods.h"
 
 namespace hair {

@@ -4,6 +4,9 @@
 
 #include <libhair/core/parallel.h>
 #include <libhair/core/state_hash.h>
+#include <libhair/shadow/methods/deep_shadow_map.h>
+#include <libhair/shadow/methods/density_clustering.h>
+#include <libhair/shadow/methods/light_image.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
 #include "../fixture.h"

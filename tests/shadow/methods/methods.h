@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include <libhair/shadow/methods/deep_opacity_map.h>
 #include <libhair/shadow/methods/density_map_method.h>
+#include <libhair/shadow/methods/opacity_map.h>
+#include <libhair/shadow/methods/shadow_map.h>
 #include <libhair/shadow/methods/shadow_method.h>
 
 #include "../fixture.h"

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
+#include <libhair/shadow/methods/deep_opacity_map.h>
+#include <libhair/shadow/methods/opacity_map.h>
 
 #include "methods.h"
 

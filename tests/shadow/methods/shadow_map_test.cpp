@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <libhair/shadow/methods/shadow_map.h>
 #include "methods.h"
 
 namespace hair {

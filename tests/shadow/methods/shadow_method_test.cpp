@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <libhair/core/error.h>
+#include <libhair/shadow/methods/opacity_map.h>
 
 #include "methods.h"
 

@@ -6,6 +6,9 @@
 #include <libhair/core/error.h>
 #include <libhair/files/hair_file.h>
 #include <libhair/measure/shadow/stripes.h>
+#include <libhair/shadow/methods/deep_opacity_map.h>
+#include <libhair/shadow/methods/light_image.h>
+#include <libhair/shadow/methods/opacity_map.h>
 
 #include "methods.h"
 
