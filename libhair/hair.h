@@ -16,3 +16,4 @@
 #include <libhair/motion/motion.h>
 #include <libhair/simulation/simulation.h>
 #include <libhair/wisps/bind.h>
+#include <libhair/wisps/load_groom.h>

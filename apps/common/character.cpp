@@ -1,14 +1,11 @@
 #include <apps/common/character.h>
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include <libhair/core/error.h>
 #include <libhair/files/bvh_file.h>
 #include <libhair/files/obj.h>
-#include <libhair/model/head.h>
-#include <libhair/model/resample.h>
-#include <libhair/wisps/bind.h>
+#include <libhair/wisps/load_groom.h>
 
 namespace hair {
 
@@ -25,110 +22,83 @@ KajiyaKaySettings lookOf(Style style) {
   return look;
 }
 
-StrandSet loadHair(const CharacterOptions& options, std::vector<std::string>& notes) {
-  StrandFile file = readStrands(options.hair, options.read);
-  notes.push_back(text(options.hair.filename().string(), ": ", file.strands.strandCount(),
-                       " strands, ", file.strands.pointCount(), " points; ", file.scale,
-                       " m a unit, up axis ", wordOf(file.up)));
-  const std::size_t dropped = dropDegenerate(file.strands);
-  if (dropped > 0)
-    notes.push_back(text("dropped ", dropped, " strands of a single point or shorter than 1 mm"));
-  require(file.strands.strandCount() > 0, options.hair.string(),
-          ": no strand is longer than 1 mm; check --scale");
-  if (options.strands > 0 || options.points > 0) {
-    const std::size_t count = options.strands > 0 ? options.strands : file.strands.strandCount();
-    if (count > file.strands.strandCount())
-      notes.push_back(
-          text("--strands ", count, ": the file has only ", file.strands.strandCount()));
-    const ResamplePlan plan = planResampling(
-        file.strands, chooseStrands(file.strands.strandCount(), count), options.points);
-    file.strands = {resample(plan, file.strands.points), plan.first};
+// Those that the options leave open are what the first file states, if it does.
+HeadFiles readHeads(const CharacterOptions& options) {
+  HeadFiles heads{{}, options.headRead};
+  for (const std::filesystem::path& file : options.heads) {
+    ObjReport report;
+    heads.meshes.push_back(readObj(file, &report));
+    if (heads.meshes.size() > 1) continue;
+    if (heads.read.scale == 0) heads.read.scale = report.scale;
+    if (heads.read.up == UpAxis::AsFile) heads.read.up = report.up;
   }
-  return std::move(file.strands);
+  return heads;
 }
 
-std::vector<glm::vec3> rootsOf(StrandView strands) {
-  std::vector<glm::vec3> roots;
-  for (std::size_t s = 0; s < strands.strandCount(); ++s)
-    roots.push_back(strands.strand(s).front());
-  return roots;
-}
-
-void moveBy(const RigidTransform& to, TriangleMesh& mesh) {
-  for (glm::vec3& p : mesh.positions) p = to.point(p);
-}
-
-// A bust brings shoulders along, which do not move with a head. What is below the neck, and what is
-// wider than one, goes; the body's neck reaches up into what stays.
-std::size_t dropBust(TriangleMesh& mesh) {
-  constexpr float kNeckBottom = -0.06f, kNeckRadius = 0.075f;
-  const auto below = [&](std::uint32_t v) {
-    const glm::vec3 p = mesh.positions[v];
-    return p.y < kNeckBottom || (p.y < 0 && std::hypot(p.x, p.z) > kNeckRadius && p.z < 0.05f);
-  };
-  return std::erase_if(mesh.triangles,
-                       [&](glm::uvec3 t) { return below(t.x) && below(t.y) && below(t.z); });
-}
-
-// The first of options.heads where the roots want it, and what comes with it.
-RigidTransform loadHead(const CharacterOptions& options, std::span<const glm::vec3> roots,
-                        Head& head, std::vector<TriangleMesh>& eyes,
-                        std::vector<std::string>& notes) {
-  head.mesh = readObj(options.heads.front());
-  const RigidTransform headFromFile = placeHead(head.mesh, roots);
-  moveBy(headFromFile, head.mesh);
-  const std::size_t dropped = dropBust(head.mesh);
-  if (dropped > 0)
-    notes.push_back(text(options.heads.front().filename().string(), ": ", dropped,
-                         " triangles of shoulders left out; the body has its own"));
-  for (std::size_t i = 1; i < options.heads.size(); ++i)
-    moveBy(headFromFile, eyes.emplace_back(readObj(options.heads[i])));
-  return headFromFile;
+// The mesh beside the strands of an .obj is their head, where it fits.
+LoadedGroom loadFileGroom(const CharacterOptions& options) {
+  const LoadOptions load{options.read, options.strands, options.points};
+  BindSettings bind;
+  bind.guides = options.guides;
+  if (!options.heads.empty() || !holdsMesh(options.hair))
+    return loadGroom(options.hair, load, readHeads(options), bind);
+  std::string whyNot;
+  try {
+    CharacterOptions own = options;
+    own.heads = {options.hair};
+    LoadedGroom loaded = loadGroom(options.hair, load, readHeads(own), bind);
+    loaded.notes.push_back("no --head: the mesh of the same file is the head");
+    return loaded;
+  } catch (const Error& e) {
+    whyNot = e.what();
+  }
+  LoadedGroom loaded = loadGroom(options.hair, load, {}, bind);
+  loaded.notes.push_back("the mesh of the same file is not the head: " + whyNot);
+  return loaded;
 }
 
 }  // namespace
 
+void Character::takeHead(LoadedHead loaded) {
+  head = std::move(loaded.head);
+  eyes = std::move(loaded.others);
+  headCollider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
+}
+
 // Head and groom together, as each has to fit the other.
 void Character::makeHair(const CharacterOptions& options) {
-  const auto makeCollider = [&] {
-    headCollider = std::make_unique<MeshSdf>(head.mesh, kColliderCell, kColliderMargin);
+  const auto note = [&](const std::vector<std::string>& more) {
+    notes.insert(notes.end(), more.begin(), more.end());
   };
   if (options.hair.empty()) {
     require(options.heads.empty(),
             "--head: the built-in styles grow on the built-in head; give --hair too");
-    head = builtinHead();
-    makeCollider();
+    LoadedHead builtin;
+    builtin.head = builtinHead();
+    takeHead(std::move(builtin));
     StyleSettings style = styleSettings(options.style);
     if (options.strands > 0) style.strands = options.strands;
     if (options.points > 0) style.points = options.points;
     groom = makeGroom(style, *headCollider);
   } else if (isHairMesh(options.hair)) {
     mesh = growMeshHair(options, notes);
-    if (options.heads.empty())
-      head = builtinHead();
-    else
-      moveBy(loadHead(options, rootsOf(mesh->grown.strands), head, eyes, notes), *mesh);
-    makeCollider();
+    LoadedHead loaded;
+    if (options.heads.empty()) {
+      loaded.head = builtinHead();
+    } else {
+      HeadFiles heads = readHeads(options);
+      const std::vector<glm::vec3> roots = rootsOf(mesh->grown.strands);
+      loaded = loadedHead(std::move(heads.meshes), {roots, meshUnits(options)}, heads.read);
+      moveBy(loaded.headFromHair, *mesh);
+      note(loaded.notes);
+    }
+    takeHead(std::move(loaded));
     groom = groomOf(*mesh);
   } else {
-    StrandSet strands = loadHair(options, notes);
-    const std::vector<glm::vec3> roots = rootsOf(strands);
-    RigidTransform headFromFile;
-    if (options.heads.empty()) {
-      HeadFit fit = fitHeadToRoots(roots);
-      head = std::move(fit.head);
-      headFromFile = fit.headFromHair;
-      notes.push_back(
-          text("no --head: the built-in head was scaled under the roots, which lie on it to ",
-               fit.residual * 1000, " mm (mean)"));
-    } else {
-      headFromFile = loadHead(options, roots, head, eyes, notes);
-    }
-    makeCollider();
-    for (glm::vec3& p : strands.points) p = headFromFile.point(p);
-    BindSettings bind;
-    bind.guides = options.guides;
-    groom = bindGroom(strands, bind);
+    LoadedGroom loaded = loadFileGroom(options);
+    note(loaded.notes);
+    groom = std::move(loaded.groom);
+    takeHead(std::move(loaded.head));
   }
 }
 

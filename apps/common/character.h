@@ -9,7 +9,7 @@
 
 #include <apps/common/mesh_hair.h>
 #include <libhair/files/strand_file.h>
-#include <libhair/model/head.h>
+#include <libhair/model/loaded_head.h>
 #include <libhair/model/styles.h>
 #include <libhair/motion/body_mesh.h>
 #include <libhair/motion/motion.h>
@@ -26,7 +26,8 @@ struct CharacterOptions {
   std::vector<std::filesystem::path> heads;
   std::filesystem::path motion;  ///< --motion FILE.bvh; empty: the built-in dance
   bool still = false;            ///< --still: nobody moves
-  ReadOptions read;              ///< --scale, --up: of the hair file and the head file
+  ReadOptions read;              ///< --scale, --up: of the hair file and the head files
+  ReadOptions headRead;          ///< --head-scale, --head-up: where the head files differ
   float motionScale = 0.01f;     ///< --motion-scale: metres per unit of the clip
   std::uint32_t strands = 0;     ///< --strands; 0: the style's, or all of the file's
   std::uint32_t points = 0;      ///< --points a strand; 0: the style's, or the file's
@@ -50,6 +51,7 @@ struct Character {
   KajiyaKaySettings look;
 
  private:
+  void takeHead(LoadedHead loaded);
   void makeHair(const CharacterOptions& options);
 };
 

@@ -110,6 +110,12 @@ void addReadOptions(CLI::App& command, ReadOptions& read) {
   addUpOption(command, "--up", read.up,
               "axis of the file that points up: y (face +z), z (face +y), z-back (face -y: "
               "Blender), x, y-down; default: what it states, or .hair z, others y");
+  command.add_option("--prim", read.prim,
+                     "of several curves in a .usda, those of this path or name; default: all");
+  command
+      .add_option("--points-per-strand", read.pointsPerStrand,
+                  "of a cloud of points without edges; default: as their spacing shows")
+      ->check(CLI::Range(2, 65536));
 }
 
 void addHairOptions(CLI::App& command, CharacterOptions& character) {
@@ -120,7 +126,8 @@ void addHairOptions(CLI::App& command, CharacterOptions& character) {
                     ->type_name("STYLE");
   command
       .add_option("--hair", character.hair,
-                  "hair of a file instead: .hair, .tfx, .data, .ply or .usda; or a hair mesh: "
+                  "hair of a file instead: .hair, .tfx, .data, .ply, .usda, .npy, .npz or .pbrt; "
+                  "or a hair mesh: "
                   ".hairmesh or .obj")
       ->excludes(style);
   command
@@ -143,6 +150,13 @@ void addCharacterOptions(CLI::App& command, CharacterOptions& character) {
       ->expected(1)
       ->take_all()
       ->type_name("FILE");
+  command
+      .add_option("--head-scale", character.headRead.scale,
+                  "metres per unit of the head files; default: as the hair's, or 1 where that fits")
+      ->check(within(1e-9, 1e9));
+  addUpOption(
+      command, "--head-up", character.headRead.up,
+      "axis of the head files that points up; default: as the hair's, or y where that fits");
   command.add_option("--motion", character.motion,
                      "motion capture, .bvh; default: the built-in dance");
   command

@@ -36,10 +36,19 @@ Hairstyle styleOf(const CharacterOptions& options) {
 
 }  // namespace
 
+ReadOptions meshUnits(const CharacterOptions& options) {
+  return {options.read.scale > 0 ? options.read.scale : 1,
+          options.read.up == UpAxis::AsFile ? UpAxis::Y : options.read.up};
+}
+
 MeshHair growMeshHair(const CharacterOptions& options, std::vector<std::string>& notes) {
   MeshHair hair;
   Hairstyle style = styleOf(options);
   hair.mesh = std::move(style.mesh);
+  // Before anything grows: groups count strands a square metre.
+  const ReadOptions read = meshUnits(options);
+  for (HairMesh::Layer& layer : hair.mesh.layers)
+    convertUnits(layer.positions, read.scale, read.up);
   hair.groups = std::move(style.groups);
   hair.tied = std::move(style.tied);
   const std::string name = options.hair.filename().string();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <libhair/core/transform.h>
+#include <libhair/files/strand_file.h>
 #include <libhair/hair_mesh/grow.h>
 #include <libhair/hair_mesh/hair_mesh.h>
 #include <libhair/model/groom.h>
@@ -13,12 +14,13 @@ namespace hair {
 
 struct CharacterOptions;
 
-/// Whether a file is a hair mesh by its name: a script (.hairmesh), or layers (.obj).
+/// Whether a file is a hair mesh: a script (.hairmesh), or layers, an .obj without lines.
 inline bool isHairMeshScript(const std::filesystem::path& file) {
   return file.extension() == ".hairmesh";
 }
 inline bool isHairMesh(const std::filesystem::path& file) {
-  return isHairMeshScript(file) || file.extension() == ".obj";
+  const bool obj = file.extension() == ".obj" || file.extension() == ".OBJ";
+  return isHairMeshScript(file) || (obj && !holdsStrands(file));
 }
 
 /// Hair that is modelled as a mesh, and the strands grown in it.
@@ -28,6 +30,9 @@ struct MeshHair {
   std::vector<std::uint32_t> tied;  ///< Hairstyle::tied
   GrownHair grown;
 };
+
+/// Units and axes of a hair mesh: metres, +Y up, unless --scale and --up say otherwise.
+ReadOptions meshUnits(const CharacterOptions& options);
 
 /// Reads or builds the mesh of options.hair and grows its groups; of an .obj, which has none, one
 /// group as StrandGroup has it. --strands and --points count for the groups together and for each.

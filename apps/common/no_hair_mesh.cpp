@@ -12,6 +12,10 @@ MeshHair growMeshHair(const CharacterOptions& options, std::vector<std::string>&
                    "HAIR_WITH_HAIR_MESH=ON"));
 }
 
+ReadOptions meshUnits(const CharacterOptions&) {
+  return {1, UpAxis::Y};
+}
+
 Groom groomOf(const MeshHair&) {
   return {};
 }

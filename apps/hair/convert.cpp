@@ -34,14 +34,6 @@ ResamplePlan planOf(const ConvertOptions& options, const StrandFile& file) {
   return planResampling(file.strands, sound, options.points);
 }
 
-void apply(const ResamplePlan& plan, StrandFile& file) {
-  file.thickness = resample(plan, file.thickness);
-  file.transparency = resample(plan, file.transparency);
-  file.colours = resample(plan, file.colours);
-  file.strands.points = resample(plan, file.strands.points);
-  file.strands.first = plan.first;
-}
-
 std::string unitsOf(const WriteOptions& write) {
   const UpAxis up = write.up == UpAxis::AsFile ? UpAxis::Y : write.up;
   return text(write.scale, " m per unit, ", upAxisMeaning(up));
@@ -123,9 +115,10 @@ void runConvert(const ConvertOptions& options) {
             << upAxisMeaning(file.up);
   if (frames > 1) std::cout << "; frames " << begin << " to " << end - 1 << " of " << frames;
   std::cout << '\n';
+  for (const std::string& note : file.notes) std::cout << note << '\n';
   const ResamplePlan plan = planOf(options, file);
   const std::vector<std::uint32_t> first = file.strands.first;
-  apply(plan, file);
+  resample(plan, file);
   Losses losses(options);
   losses.print(file);
 
@@ -143,7 +136,7 @@ void runConvert(const ConvertOptions& options) {
         in.read(f, file);
         require(file.strands.first == first, options.in.string(), ": frame ", f,
                 " has other strands than frame ", begin, "; convert one at a time (--frame)");
-        apply(plan, file);
+        resample(plan, file);
         losses.print(file);
       }
       out->addAt(times.codes[f - begin], file);

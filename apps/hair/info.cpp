@@ -4,11 +4,12 @@
 
 #include <apps/hair/commands.h>
 #include <apps/hair/info_rows.h>
+#include <libhair/core/error.h>
 #include <libhair/files/bvh_file.h>
-#include <libhair/files/byte_reader.h>
 #include <libhair/files/obj.h>
 #include <libhair/files/strand_sequence.h>
-#include <libhair/files/text_reader.h>
+#include <libhair/model/head.h>
+#include <libhair/wisps/load_groom.h>
 
 namespace hair {
 
@@ -17,9 +18,7 @@ namespace {
 // Distance of each root to the nearest other one. Sorted along x, so that only roots that are
 // nearer in x than the best so far need a look.
 std::vector<float> rootSpacings(StrandView strands) {
-  std::vector<glm::vec3> roots;
-  for (std::size_t s = 0; s < strands.strandCount(); ++s)
-    if (!strands.strand(s).empty()) roots.push_back(strands.strand(s).front());
+  std::vector<glm::vec3> roots = rootsOf(strands);
   std::sort(roots.begin(), roots.end(), [](glm::vec3 a, glm::vec3 b) { return a.x < b.x; });
   std::vector<float> spacings;
   for (std::size_t i = 0; i < roots.size(); ++i) {
@@ -53,6 +52,12 @@ void printStrands(const InfoOptions& options) {
                   << " s from first to last; below: the first\n";
   row("read as") << file.scale << " m per unit, " << upAxisMeaning(file.up) << " (--up "
                  << wordOf(file.up) << "); below: metres, +Y up, +Z face\n";
+  try {
+    requireHeadSized(rootsOf(strands));
+  } catch (const Error& e) {
+    row("note") << e.what() << '\n';
+  }
+  for (const std::string& note : file.notes) row("note") << note << '\n';
   row("strands") << strands.strandCount() << '\n';
   row("points") << strands.pointCount() << "; a strand: " << points.least << " to " << points.most
                 << ", median " << points.median << '\n';
@@ -72,28 +77,12 @@ void printStrands(const InfoOptions& options) {
   }
 }
 
-// Whether an OBJ file has lines, and no faces.
-bool holdsLines(const std::filesystem::path& file) {
-  const std::string bytes = readWholeFile(file);
-  TextReader in(bytes, file.string());
-  bool lines = false;
-  while (in.nextLine()) {
-    const std::string_view word = in.word();
-    if (word == "f") return false;
-    lines = lines || word == "l" || word == "p";
-  }
-  return lines;
-}
-
 void printMesh(const InfoOptions& options) {
   ObjReport report;
-  TriangleMesh mesh = readObj(options.file, &report);
-  const float scale = options.read.scale > 0 ? options.read.scale : 1;
-  const UpAxis up = options.read.up == UpAxis::AsFile ? UpAxis::Y : options.read.up;
-  convertUnits(mesh.positions, scale, up);
+  const TriangleMesh mesh = readObj(options.file, options.read, &report);
   row("file") << options.file.string() << '\n';
   row("format") << ".obj: " << report.faces << " faces\n";
-  row("read as") << scale << " m per unit, " << upAxisMeaning(up) << '\n';
+  row("read as") << report.scale << " m per unit, " << upAxisMeaning(report.up) << '\n';
   row("vertices") << mesh.positions.size() << '\n';
   row("triangles") << mesh.triangles.size() << '\n';
   printBounds(mesh.positions);
@@ -125,7 +114,7 @@ void runInfo(const InfoOptions& options) {
   std::cout << std::setprecision(4);
   std::string extension = options.file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".obj" && !holdsLines(options.file)) return printMesh(options);
+  if (extension == ".obj" && !holdsStrands(options.file)) return printMesh(options);
   if (extension == ".bvh") return printMotion(options);
   printStrands(options);
 }

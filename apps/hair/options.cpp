@@ -12,6 +12,7 @@ namespace {
 // Checks the name of a file of strands to write: the format is known, the folder there.
 std::string strandsToWrite(const std::string& name) {
   if (!isStrandFile(name)) return "must end with one of " + strandFormats() + ": " + name;
+  if (!isWrittenStrandFile(name)) return "this format is read, not written: " + name;
   return endsWith("")(name);
 }
 
@@ -19,9 +20,9 @@ void addInfo(CLI::App& app, Run& run) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "Say what a file holds");
   command
-      ->add_option(
-          "FILE", options->file,
-          "strands (.hair, .tfx, .data, .ply, .obj, .usda), a mesh (.obj) or a motion (.bvh)")
+      ->add_option("FILE", options->file,
+                   "strands (.hair, .tfx, .data, .ply, .obj, .usda, .npy, .npz, .pbrt), a mesh "
+                   "(.obj) or a motion (.bvh)")
       ->required();
   addReadOptions(*command, options->read);
   command->footer(
@@ -37,13 +38,14 @@ void addConvert(CLI::App& app, Run& run) {
   CLI::App* command =
       app.add_subcommand("convert", "Write strands of any format in any other, in metres, +Y up");
   command
-      ->add_option(
-          "IN", options->in,
-          ".hair, .tfx, .data, .ply, .obj or .usda; name.####.hair: all that are numbered so")
+      ->add_option("IN", options->in,
+                   ".hair, .tfx, .data, .ply, .obj, .usda, .npy, .npz or .pbrt; name.####.hair: "
+                   "all that are numbered so")
       ->required();
   command
       ->add_option("OUT", options->out,
-                   "file to write, of these; .usda, and name.####.hair, take every frame")
+                   "file to write, of these but .npy, .npz and .pbrt; .usda, and name.####.hair, "
+                   "take every frame")
       ->required()
       ->check(strandsToWrite);
   addReadOptions(*command, options->read);

@@ -5,6 +5,24 @@
 
 namespace hair {
 
+namespace {
+
+// Repositories keep large files elsewhere, and a few lines of text in their place.
+void expectContents(std::ifstream& stream, const std::filesystem::path& file) {
+  char start[64] = {};
+  stream.read(start, sizeof start);
+  const std::string_view words(start, static_cast<std::size_t>(stream.gcount()));
+  require(!words.starts_with("version https://git-lfs"), file.string(),
+          ": byte 0: is a Git LFS pointer, not the file it stands for; fetch that (git lfs pull)");
+  require(
+      !words.starts_with("/annex/objects/"), file.string(),
+      ": byte 0: is a git-annex pointer, not the file it stands for; fetch that (git annex get)");
+  stream.clear();
+  stream.seekg(0);
+}
+
+}  // namespace
+
 std::ifstream openFile(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -20,6 +38,7 @@ std::ifstream openFile(const std::filesystem::path& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   require(stream.is_open(), file.string(), ": cannot open: ", std::strerror(errno));
+  expectContents(stream, file);
   return stream;
 }
 

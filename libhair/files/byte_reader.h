@@ -16,10 +16,10 @@
 namespace hair {
 
 /// The file, opened for reading. Throws Error where it is not found, not readable, no regular file,
-/// or empty.
+/// empty, or a pointer of Git LFS or git-annex.
 std::ifstream openFile(const std::filesystem::path& file);
 
-/// The whole file. Throws Error where it is not found, not readable, no regular file, or empty.
+/// The whole file. Throws Error as openFile does.
 std::string readWholeFile(const std::filesystem::path& file);
 
 /// Reads little-endian numbers from bytes in memory. Checks every read against the end, and every

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <libhair/files/byte_reader.h>
+#include <libhair/files/file_units.h>
 #include <libhair/files/obj_words.h>
 #include <libhair/geometry/openmesh-inl.h>
 
@@ -33,8 +34,12 @@ Mesh parse(TextReader& in, ObjReport& report) {
   std::vector<Corners> later;
   Corners corners;
   while (in.nextLine()) {
+    const std::string_view whole = in.restOfLine();
     const std::string_view word = in.word();
-    if (word == "v") {
+    if (word == "#") {
+      unitsFromText(whole.substr(1 + whole.substr(1).find_first_not_of(' ')), report.scale,
+                    report.up);
+    } else if (word == "v") {
       const glm::vec3 p = objVertex(in);
       mesh.add_vertex(Mesh::Point(p.x, p.y, p.z));
     } else if (word == "f") {
@@ -95,6 +100,19 @@ TriangleMesh parseObj(std::string_view bytes, std::string_view name, ObjReport* 
 
 TriangleMesh readObj(const std::filesystem::path& file, ObjReport* report) {
   return parseObj(readWholeFile(file), file.string(), report);
+}
+
+TriangleMesh readObj(const std::filesystem::path& file, const ReadOptions& options,
+                     ObjReport* report) {
+  ObjReport own;
+  ObjReport& r = report ? *report : own;
+  TriangleMesh mesh = readObj(file, &r);
+  if (options.scale > 0 || r.scale == 0) r.scale = options.scale > 0 ? options.scale : 1;
+  if (options.up != UpAxis::AsFile || r.up == UpAxis::AsFile)
+    r.up = options.up == UpAxis::AsFile ? UpAxis::Y : options.up;
+  convertUnits(mesh.positions, r.scale, r.up);
+  convertUnits(mesh.normals, 1, r.up);
+  return mesh;
 }
 
 }  // namespace hair

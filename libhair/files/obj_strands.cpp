@@ -15,7 +15,7 @@ struct Lines {
   std::vector<glm::vec3> positions;
   EdgeChains strands;  // a strand a line
   bool onlyEdges = true;
-  bool faces = false;
+  std::size_t faces = 0;
 };
 
 Lines linesOf(TextReader& in, StrandFile& file) {
@@ -39,7 +39,7 @@ Lines linesOf(TextReader& in, StrandFile& file) {
       lines.onlyEdges = lines.onlyEdges && count == 2;
       first.push_back(static_cast<std::uint32_t>(vertices.size()));
     } else if (word == "f") {
-      lines.faces = true;
+      ++lines.faces;
     } else if (word == "#") {
       unitsFromText(whole.substr(1 + whole.substr(1).find_first_not_of(' ')), file.scale, file.up);
     }
@@ -69,12 +69,26 @@ StrandFile parseObjStrands(std::string_view bytes, std::string_view name) {
   TextReader in(bytes, name);
   Lines lines = linesOf(in, file);
   in.expect(!lines.strands.vertices.empty(), "the file ends without any line of points ('l')",
-            lines.faces ? ": it holds a mesh, not strands" : "");
+            lines.faces > 0 ? ": it holds a mesh, not strands" : "");
   if (lines.onlyEdges) lines.strands = chained(lines, name);
   file.strands.points.reserve(lines.strands.vertices.size());
   for (std::uint32_t v : lines.strands.vertices) file.strands.points.push_back(lines.positions[v]);
   file.strands.first = std::move(lines.strands.first);
+  if (lines.faces > 0)
+    file.notes.push_back(text("lines are the strands; ", lines.faces,
+                              " faces besides are a mesh, such as the head (--head)"));
   return file;
+}
+
+ObjContents objContents(std::string_view bytes, std::string_view name) {
+  TextReader in(bytes, name);
+  ObjContents contents;
+  while (in.nextLine()) {
+    const std::string_view word = in.word();
+    contents.lines += word == "l" || word == "p";
+    contents.faces += word == "f";
+  }
+  return contents;
 }
 
 void writeObjStrands(std::ostream& stream, const StrandFile& file) {

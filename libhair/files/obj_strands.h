@@ -18,4 +18,10 @@ StrandFile parseObjStrands(std::string_view bytes, std::string_view name);
 /// Error for strands without points, and coordinates of 1e8 or more.
 void writeObjStrands(std::ostream& out, const StrandFile& file);
 
+/// What an OBJ file holds.
+struct ObjContents {
+  std::size_t lines = 0, faces = 0;
+};
+ObjContents objContents(std::string_view bytes, std::string_view name);
+
 }  // namespace hair

@@ -1,7 +1,10 @@
 #include <libhair/files/ply_file.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 
@@ -9,6 +12,7 @@
 #include <libhair/files/edges.h>
 #include <libhair/files/file_units.h>
 #include <libhair/files/ply_header.h>
+#include <libhair/files/point_cloud.h>
 #include <libhair/files/text_writer.h>
 
 namespace hair {
@@ -47,9 +51,9 @@ std::array<double, 2> rangeOf(Type type) {
 // Numbers as binary files hold them.
 class BinaryNumbers {
  public:
-  BinaryNumbers(std::string_view bytes, std::string_view name, std::size_t begin)
-      : in_(bytes, name) {
-    in_.seek(begin, "elements");
+  BinaryNumbers(std::string_view bytes, std::string_view name, const PlyHeader& header)
+      : in_(bytes, name), swapped_(header.bigEndian) {
+    in_.seek(header.bytes, "elements");
   }
   void expectElements(const Element& element) const {
     in_.expectLeft(element.count, element.leastBytes(), element.name);
@@ -58,21 +62,21 @@ class BinaryNumbers {
   double next(Type type, std::string_view what) {
     switch (type) {
       case Type::Int8:
-        return in_.read<std::int8_t>(what);
+        return read<std::int8_t>(what);
       case Type::Uint8:
-        return in_.read<std::uint8_t>(what);
+        return read<std::uint8_t>(what);
       case Type::Int16:
-        return in_.read<std::int16_t>(what);
+        return read<std::int16_t>(what);
       case Type::Uint16:
-        return in_.read<std::uint16_t>(what);
+        return read<std::uint16_t>(what);
       case Type::Int32:
-        return in_.read<std::int32_t>(what);
+        return read<std::int32_t>(what);
       case Type::Uint32:
-        return in_.read<std::uint32_t>(what);
+        return read<std::uint32_t>(what);
       case Type::Float32:
-        return static_cast<double>(in_.read<float>(what));
+        return static_cast<double>(read<float>(what));
       case Type::Float64:
-        return in_.read<double>(what);
+        return read<double>(what);
     }
     return 0;
   }
@@ -85,7 +89,17 @@ class BinaryNumbers {
   }
 
  private:
+  template <class T>
+  T read(std::string_view what) {
+    const T value = in_.read<T>(what);
+    if (!swapped_) return value;
+    auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+    std::reverse(bytes.begin(), bytes.end());
+    return std::bit_cast<T>(bytes);
+  }
+
   ByteReader in_;
+  bool swapped_;
 };
 
 // The same as words: a line an element.
@@ -119,9 +133,10 @@ class TextNumbers {
   TextReader& in_;
 };
 
-// Goes through the items of an element; `take` gets each one's single numbers, lists are passed.
-template <class Numbers, class Take>
-void readElement(Numbers& in, const Element& element, Take&& take) {
+// Goes through the items of an element; `take` gets each one's single numbers, and before that
+// `takeListed` the numbers of lists, with the property that each is of.
+template <class Numbers, class Take, class TakeListed>
+void readElement(Numbers& in, const Element& element, Take&& take, TakeListed&& takeListed) {
   in.expect(element.count == 0 || !element.properties.empty(), "element ",
             TextReader::shown(element.name), " has no properties");
   in.expectElements(element);
@@ -137,17 +152,33 @@ void readElement(Numbers& in, const Element& element, Take&& take) {
       const double count = in.next(*property.countType, property.name);
       in.expect(count >= 0, property.name, ": a list of ", count, " items");
       in.expectItems(count, property.type, property.name);
-      for (double k = 0; k < count; ++k) in.next(property.type, property.name);
+      for (double k = 0; k < count; ++k) takeListed(p, in.next(property.type, property.name));
     }
     take(values);
   }
 }
 
+template <class Numbers, class Take>
+void readElement(Numbers& in, const Element& element, Take&& take) {
+  readElement(in, element, take, [](std::size_t, double) {});
+}
+
 struct Mesh {
   std::vector<glm::vec3> positions, colours;
   std::vector<float> thickness, transparency;
+  std::vector<std::uint32_t> strandOf;  // a number a vertex that is the same along a strand
   std::vector<std::array<std::uint32_t, 2>> edges;
+  EdgeChains lines;  // of many vertices each
 };
+
+// Elements that join vertices, by the names that programs give them.
+bool joinsVertices(const Element& element) {
+  constexpr std::string_view kNames[] = {
+      "edge",   "edges",  "line",      "lines",   "segment", "segments", "polyline", "curve",
+      "curves", "strand", "polylines", "strands", "fiber",   "fibers",   "fibre",    "fibres"};
+  return !element.properties.empty() &&
+         std::find(std::begin(kNames), std::end(kNames), element.name) != std::end(kNames);
+}
 
 // Index of a scalar property in an element; lists of that name are ignored.
 int single(const Element& element, std::string_view name) {
@@ -155,12 +186,21 @@ int single(const Element& element, std::string_view name) {
   return at >= 0 && !element.properties[static_cast<std::size_t>(at)].countType ? at : -1;
 }
 
+// The first of these names that there is.
+int firstOf(const Element& element, std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names)
+    if (const int at = single(element, name); at >= 0) return at;
+  return -1;
+}
+
 template <class Numbers>
 void readVertices(Numbers& in, const Element& element, Mesh& mesh) {
   const std::array<int, 3> xyz = {single(element, "x"), single(element, "y"), single(element, "z")};
   const std::array<int, 3> rgb = {single(element, "red"), single(element, "green"),
                                   single(element, "blue")};
-  const int thickness = single(element, "thickness");
+  const int diameter = firstOf(element, {"thickness", "width", "diameter"});
+  const int radius = diameter < 0 ? single(element, "radius") : -1;
+  const int strand = firstOf(element, {"strand_id", "strand", "curve_id", "hair_id"});
   const int transparency = single(element, "transparency");
   for (int p : xyz) in.expect(p >= 0, "vertices need numbers x, y and z");
   const bool coloured = rgb[0] >= 0 && rgb[1] >= 0 && rgb[2] >= 0;
@@ -183,24 +223,53 @@ void readVertices(Numbers& in, const Element& element, Mesh& mesh) {
     };
     const glm::vec3 position(number(xyz[0]), number(xyz[1]), number(xyz[2]));
     if (coloured) mesh.colours.emplace_back(channel(rgb[0]), channel(rgb[1]), channel(rgb[2]));
-    if (thickness >= 0) mesh.thickness.push_back(number(thickness));
+    if (diameter >= 0) mesh.thickness.push_back(number(diameter));
+    if (radius >= 0) mesh.thickness.push_back(2 * number(radius));
+    if (strand >= 0)
+      mesh.strandOf.push_back(static_cast<std::uint32_t>(
+          std::clamp(values[static_cast<std::size_t>(strand)], 0.0, 4294967295.0)));
     if (transparency >= 0) mesh.transparency.push_back(number(transparency));
     mesh.positions.push_back(position);
   });
 }
 
 template <class Numbers>
-void readEdges(Numbers& in, const Element& element, std::size_t vertexCount, Mesh& mesh) {
-  const std::array<int, 2> ends = {single(element, "vertex1"), single(element, "vertex2")};
+std::uint32_t vertexNumber(const Numbers& in, double v, std::size_t vertexCount,
+                           std::string_view of, std::size_t number) {
+  in.expect(v >= 0 && v < static_cast<double>(vertexCount) && v == std::floor(v), of, ' ', number,
+            ": vertex ", v, " does not exist (", vertexCount, " vertices)");
+  return static_cast<std::uint32_t>(v);
+}
+
+// Either a pair of vertices each, or a list of any number.
+template <class Numbers>
+void readLines(Numbers& in, const Element& element, std::size_t vertexCount, Mesh& mesh) {
+  const auto list = std::find_if(element.properties.begin(), element.properties.end(),
+                                 [](const PlyHeader::Property& p) { return p.countType; });
+  if (list != element.properties.end()) {
+    const auto property = static_cast<std::size_t>(list - element.properties.begin());
+    auto& [vertices, first] = mesh.lines;
+    readElement(
+        in, element,
+        [&](const std::vector<double>&) {
+          if (vertices.size() > first.back())
+            first.push_back(static_cast<std::uint32_t>(vertices.size()));
+        },
+        [&](std::size_t p, double v) {
+          if (p == property)
+            vertices.push_back(vertexNumber(in, v, vertexCount, element.name, first.size() - 1));
+        });
+    return;
+  }
+  std::array<int, 2> ends = {firstOf(element, {"vertex1", "v1", "start", "from", "source", "a"}),
+                             firstOf(element, {"vertex2", "v2", "end", "to", "target", "b"})};
+  if (single(element, "v0") >= 0) ends = {single(element, "v0"), single(element, "v1")};
   for (int p : ends) in.expect(p >= 0, "edges need numbers vertex1 and vertex2");
   readElement(in, element, [&](const std::vector<double>& values) {
     std::array<std::uint32_t, 2> edge{};
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double v = values[static_cast<std::size_t>(ends[k])];
-      in.expect(v >= 0 && v < static_cast<double>(vertexCount) && v == std::floor(v), "edge ",
-                mesh.edges.size(), ": vertex ", v, " does not exist (", vertexCount, " vertices)");
-      edge[k] = static_cast<std::uint32_t>(v);
-    }
+    for (std::size_t k = 0; k < 2; ++k)
+      edge[k] = vertexNumber(in, values[static_cast<std::size_t>(ends[k])], vertexCount, "edge",
+                             mesh.edges.size());
     mesh.edges.push_back(edge);
   });
 }
@@ -211,12 +280,34 @@ Mesh readElements(Numbers in, const PlyHeader& header, std::size_t vertexCount) 
   for (const Element& element : header.elements) {
     if (element.name == "vertex")
       readVertices(in, element, mesh);
-    else if (element.name == "edge")
-      readEdges(in, element, vertexCount, mesh);
+    else if (joinsVertices(element))
+      readLines(in, element, vertexCount, mesh);
     else
       readElement(in, element, [](const std::vector<double>&) {});
   }
   return mesh;
+}
+
+// Lists of two vertices are edges, others strands; without either the vertices are a cloud.
+EdgeChains chainsOf(Mesh& mesh, std::uint32_t pointsPerStrand, std::string_view name,
+                    std::vector<std::string>& notes) {
+  const auto& [listed, first] = mesh.lines;
+  if (!listed.empty() && listed.size() == 2 * (first.size() - 1))
+    for (std::size_t i = 0; i < listed.size(); i += 2)
+      mesh.edges.push_back({listed[i], listed[i + 1]});
+  else if (!listed.empty())
+    return std::move(mesh.lines);
+  if (!mesh.edges.empty()) return chainEdges(mesh.edges, mesh.positions.size(), {}, name);
+  EdgeChains cloud;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) cloud.vertices.push_back(v);
+  if (mesh.strandOf.empty() || pointsPerStrand > 0) {
+    cloud.first = cloudStrands(mesh.positions, pointsPerStrand, name, notes);
+    return cloud;
+  }
+  for (std::uint32_t v = 1; v < mesh.strandOf.size(); ++v)
+    if (mesh.strandOf[v] != mesh.strandOf[v - 1]) cloud.first.push_back(v);
+  cloud.first.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+  return cloud;
 }
 
 template <class T>
@@ -235,23 +326,28 @@ void put(std::string& bytes, T value) {
 
 }  // namespace
 
-StrandFile parsePly(std::string_view bytes, std::string_view name) {
+StrandFile parsePly(std::string_view bytes, std::string_view name, std::uint32_t pointsPerStrand) {
   TextReader in(bytes, name);
   const PlyHeader header = readPlyHeader(in, bytes.size());
-  const Element *vertices = nullptr, *edges = nullptr;
+  const Element* vertices = nullptr;
+  bool joined = false, faces = false;
   for (const Element& element : header.elements) {
     if (element.name == "vertex") vertices = &element;
-    if (element.name == "edge") edges = &element;
+    joined = joined || joinsVertices(element);
+    faces = faces || (element.name == "face" && element.count > 0);
   }
   in.expect(vertices && vertices->count > 0, "the file holds no vertices");
-  in.expect(edges != nullptr, "the file holds no edges: it is a mesh or a cloud, not strands");
+  in.expect(joined || !faces || pointsPerStrand > 0,
+            "the file holds faces and no edges: it is a mesh, not strands");
   const std::size_t count = vertices->count;
-  const Mesh mesh = header.binary
-                        ? readElements(BinaryNumbers(bytes, name, header.bytes), header, count)
-                        : readElements(TextNumbers(in), header, count);
+  Mesh mesh = header.binary ? readElements(BinaryNumbers(bytes, name, header), header, count)
+                            : readElements(TextNumbers(in), header, count);
 
-  EdgeChains chains = chainEdges(mesh.edges, mesh.positions.size(), {}, name);
   StrandFile file;
+  // An element of edges that is empty leaves strands of a point each.
+  EdgeChains chains = joined && mesh.edges.empty() && mesh.lines.vertices.empty()
+                          ? chainEdges({}, mesh.positions.size(), {}, name)
+                          : chainsOf(mesh, pointsPerStrand, name, file.notes);
   file.format = "ply";
   file.scale = header.scale;
   file.up = header.up;

@@ -80,9 +80,10 @@ PlyHeader readPlyHeader(TextReader& in, std::size_t fileBytes) {
     const std::string_view word = in.word();
     if (word == "format") {
       const std::string_view kind = in.word();
-      in.expect(kind == "ascii" || kind == "binary_little_endian", "format '",
-                TextReader::shown(kind), "': only ascii and binary_little_endian are read");
-      header.binary = kind != "ascii";
+      header.bigEndian = kind == "binary_big_endian";
+      header.binary = header.bigEndian || kind == "binary_little_endian";
+      in.expect(header.binary || kind == "ascii", "format '", TextReader::shown(kind),
+                "': ascii, binary_little_endian and binary_big_endian are read");
       format = true;
     } else if (word == "comment" || word == "obj_info") {
       unitsFromText(in.restOfLine(), header.scale, header.up);

@@ -30,6 +30,7 @@ struct PlyHeader {
   };
 
   bool binary = false;
+  bool bigEndian = false;
   float scale = 1;  ///< metres a unit, of our comment
   UpAxis up = UpAxis::Y;
   std::vector<Element> elements;  ///< in the order of the file

@@ -31,7 +31,7 @@ void keepOffsets(std::vector<std::uint32_t>& first, const std::vector<std::uint3
 }  // namespace
 
 StrandFile readStrands(const std::filesystem::path& file, const ReadOptions& options) {
-  StrandFile result = formatOf(file).read(file);
+  StrandFile result = formatOf(file).read(file, options);
   finishReading(options, file.string(), result);
   return result;
 }

@@ -44,21 +44,28 @@ void convertUnitsBack(std::span<glm::vec3> points, float scale, UpAxis up);
 struct ReadOptions {
   float scale = 0;             ///< metres per unit of the file; 0: the format's default
   UpAxis up = UpAxis::AsFile;  ///< the file's axes
+  /// Of a file of several curves (.usda): a path or a name, of curves or of what they are in;
+  /// empty: all, joined.
+  std::string prim{};
+  /// Of a cloud of points without edges (.ply, .npy): so many make a strand; 0: as their spacing
+  /// shows.
+  std::uint32_t pointsPerStrand = 0;
 };
 
 /// Strands of any format after conversion, with the units and axes of the file.
 struct StrandFile {
-  StrandSet strands;                ///< metres, +Y up, +Z face; short strands are kept
-  std::string format = "hair";      ///< the extension: "hair", "tfx", "usda" ...
-  std::string arrays = "points";    ///< what the file holds: "points, colours"
-  float scale = 1;                  ///< metres per unit that was applied
-  UpAxis up = UpAxis::Y;            ///< axes that were assumed; never AsFile
-  std::vector<float> thickness;     ///< [pointCount] or empty; diameters, metres
-  std::vector<float> transparency;  ///< [pointCount] or empty; 0 opaque, 1 invisible
-  std::vector<glm::vec3> colours;   ///< [pointCount] or empty; linear RGB
-  float defaultThickness = 0;       ///< where there is no array, metres; 0: not stated
-  float defaultTransparency = 0;    ///< where there is no array
-  glm::vec3 defaultColour{0};       ///< where there is no array; black: not stated
+  StrandSet strands;                 ///< metres, +Y up, +Z face; short strands are kept
+  std::string format = "hair";       ///< the extension: "hair", "tfx", "usda" ...
+  std::string arrays = "points";     ///< what the file holds: "points, colours"
+  float scale = 1;                   ///< metres per unit that was applied
+  UpAxis up = UpAxis::Y;             ///< axes that were assumed; never AsFile
+  std::vector<float> thickness;      ///< [pointCount] or empty; diameters, metres
+  std::vector<float> transparency;   ///< [pointCount] or empty; 0 opaque, 1 invisible
+  std::vector<glm::vec3> colours;    ///< [pointCount] or empty; linear RGB
+  float defaultThickness = 0;        ///< where there is no array, metres; 0: not stated
+  float defaultTransparency = 0;     ///< where there is no array
+  glm::vec3 defaultColour{0};        ///< where there is no array; black: not stated
+  std::vector<std::string> notes{};  ///< what the reader chose or assumed, a sentence each
 };
 
 /// Units and axes of a file to be written.
@@ -86,10 +93,16 @@ void writeStrands(const std::filesystem::path& file, StrandView strands,
 void writeStrands(const std::filesystem::path& file, const StrandFile& strands,
                   const WriteOptions& options = {});
 
-/// ".hair, .tfx, .data, .ply, .obj and .usda"
+/// ".hair, .tfx, .data, .ply, .obj, .usda, .npy, .npz and .pbrt"
 std::string strandFormats();
 /// By the extension.
 bool isStrandFile(const std::filesystem::path& file);
+/// Whether it holds strands: by the extension, and an .obj, which may hold a mesh, if it has lines.
+bool holdsStrands(const std::filesystem::path& file);
+/// Whether it is an .obj with faces.
+bool holdsMesh(const std::filesystem::path& file);
+/// By the extension, whether writeStrands writes it too.
+bool isWrittenStrandFile(const std::filesystem::path& file);
 
 /// Arrays of these strands that a file of that name omits: "thickness, colours"; empty: none.
 std::string lossOf(const std::filesystem::path& file, const StrandFile& strands);

@@ -7,7 +7,9 @@
 #include <libhair/files/data_file.h>
 #include <libhair/files/file_units.h>
 #include <libhair/files/hair_file.h>
+#include <libhair/files/numpy/npz_strands.h>
 #include <libhair/files/obj_strands.h>
+#include <libhair/files/pbrt_file.h>
 #include <libhair/files/ply_file.h>
 #include <libhair/files/tfx_file.h>
 #include <libhair/files/usda/usda_file.h>
@@ -21,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr float kYukselScale = 0.00465f;  // of straight.hair: a head of 9.5 cm radius
 
-StrandFile readHairStrands(const fs::path& file) {
+StrandFile readHairStrands(const fs::path& file, const ReadOptions&) {
   HairFile hair = readHair(file);
   StrandFile result;
   result.format = "hair";
@@ -51,7 +53,7 @@ void writeHairStrands(std::ostream& out, const StrandFile& strands) {
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-StrandFile readTfxStrands(const fs::path& file) {
+StrandFile readTfxStrands(const fs::path& file, const ReadOptions&) {
   TfxFile tfx = readTfx(file);
   StrandFile result;
   result.format = "tfx";
@@ -61,11 +63,15 @@ StrandFile readTfxStrands(const fs::path& file) {
   return result;
 }
 
-StrandFile readDataStrands(const fs::path& file) {
+StrandFile readDataStrands(const fs::path& file, const ReadOptions&) {
   StrandFile result;
   result.format = "data";
   result.strands = readData(file);
   return result;
+}
+
+StrandFile readNumpy(const fs::path& file, const ReadOptions& options) {
+  return parseNumpy(readWholeFile(file), file.string(), options.pointsPerStrand);
 }
 
 constexpr StrandFormat kFormats[] = {
@@ -74,12 +80,24 @@ constexpr StrandFormat kFormats[] = {
      [](std::ostream& out, const StrandFile& file) { writeTfx(out, file.strands); }, false, 4},
     {"data", readDataStrands,
      [](std::ostream& out, const StrandFile& file) { writeData(out, file.strands); }, false, 0},
-    {"ply", [](const fs::path& file) { return parsePly(readWholeFile(file), file.string()); },
+    {"ply",
+     [](const fs::path& file, const ReadOptions& options) {
+       return parsePly(readWholeFile(file), file.string(), options.pointsPerStrand);
+     },
      writePly, true, 1},
     {"obj",
-     [](const fs::path& file) { return parseObjStrands(readWholeFile(file), file.string()); },
+     [](const fs::path& file, const ReadOptions&) {
+       return parseObjStrands(readWholeFile(file), file.string());
+     },
      writeObjStrands, false, 1},
-    {"usda", readUsda, writeUsda, true, 2}};
+    {"usda", readUsda, writeUsda, true, 2},
+    {"npy", readNumpy, nullptr, false, 0},
+    {"npz", readNumpy, nullptr, false, 0},
+    {"pbrt",
+     [](const fs::path& file, const ReadOptions&) {
+       return parsePbrt(readWholeFile(file), file.string());
+     },
+     nullptr, false, 2}};
 
 void checkOptional(std::size_t count, std::size_t points, std::string_view name,
                    std::string_view what) {
@@ -106,6 +124,23 @@ const StrandFormat& formatOf(const fs::path& file) {
 
 bool isStrandFile(const fs::path& file) {
   return findFormat(file) != nullptr;
+}
+
+bool holdsStrands(const fs::path& file) {
+  const StrandFormat* format = findFormat(file);
+  return format != nullptr &&
+         (format->name != "obj" || objContents(readWholeFile(file), file.string()).lines > 0);
+}
+
+bool holdsMesh(const fs::path& file) {
+  const StrandFormat* format = findFormat(file);
+  return format != nullptr && format->name == "obj" &&
+         objContents(readWholeFile(file), file.string()).faces > 0;
+}
+
+bool isWrittenStrandFile(const fs::path& file) {
+  const StrandFormat* format = findFormat(file);
+  return format != nullptr && format->write != nullptr;
 }
 
 std::string strandFormats() {
@@ -147,6 +182,8 @@ void finishReading(const ReadOptions& options, std::string_view name, StrandFile
 
 const StrandFile& prepared(const StrandFormat& format, const WriteOptions& options,
                            std::string_view name, const StrandFile& strands, StrandFile& scratch) {
+  require(format.write != nullptr, name, ": .", format.name,
+          " files are read, not written; write .ply, or .usda");
   require(std::isfinite(options.scale) && options.scale > 0, name, ": scale of ", options.scale,
           " metres a unit: must be above zero");
   const std::size_t points = strands.strands.pointCount();

@@ -12,8 +12,9 @@ namespace hair {
 struct StrandFormat {
   std::string_view name;  ///< the extension without its dot
   /// `scale` and `up` of what it returns are what the file states, or else the format's default.
-  StrandFile (*read)(const std::filesystem::path& file);
-  /// Strands that have been checked and are in units of `scale` and `up`.
+  /// Of `options` a format takes what concerns its contents.
+  StrandFile (*read)(const std::filesystem::path& file, const ReadOptions& options);
+  /// Strands that have been checked and are in units of `scale` and `up`; null: it is only read.
   void (*write)(std::ostream& out, const StrandFile& strands);
   bool holdsArrays;         ///< thickness, transparency and colours
   std::size_t leastPoints;  ///< of a strand

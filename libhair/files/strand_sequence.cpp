@@ -212,6 +212,8 @@ StrandSequenceWriter::StrandSequenceWriter(const fs::path& file, const SequenceO
     : state_(new State{file, options, formatOf(file), {}, {}, {}, {}, {}, {}}) {
   require(std::isfinite(options.fps) && options.fps > 0, file.string(), ": ", options.fps,
           " frames a second: must be above zero");
+  require(state_->format.write != nullptr, file.string(), ": .", state_->format.name,
+          " files are read, not written; write .usda, or .hair with #### in its name");
   if (isNumbered(file)) return;
   require(holdsSequence(file), file.string(), ": a .", state_->format.name,
           " file holds one frame; put #### where the number of each goes, or write .usda");
@@ -295,7 +297,7 @@ StrandSequenceReader::StrandSequenceReader(const fs::path& file, const ReadOptio
             ": there are no files of that name with a number");
   } else if (format.name == "usda") {
     state_->stream = openFile(file);
-    state_->usda = std::make_unique<UsdaReader>(state_->stream, file.string());
+    state_->usda = std::make_unique<UsdaReader>(state_->stream, file.string(), options.prim);
   } else {
     state_->files.push_back(file);
   }

@@ -6,59 +6,19 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/parallel.h>
+#include <libhair/geometry/mesh_parts.h>
 #include <libhair/geometry/mesh_sdf.h>
+#include <libhair/geometry/triangle_distance.h>
 
 namespace hair {
 namespace {
 
-using Corners = std::array<glm::vec3, 3>;
-
-// Squared distance to a triangle (Ericson 2005, "Real-Time Collision Detection", section 5.1.5).
-float squaredDistance(glm::vec3 p, const Corners& t) {
-  const glm::vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
-  const auto from = [&](glm::vec3 q) {
-    const glm::vec3 d = p - q;
-    return glm::dot(d, d);
-  };
-  const float d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return from(t[0]);
-  const glm::vec3 bp = p - t[1];
-  const float d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return from(t[1]);
-  const float vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return from(t[0] + d1 / (d1 - d3) * ab);
-  const glm::vec3 cp = p - t[2];
-  const float d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return from(t[2]);
-  const float vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return from(t[0] + d2 / (d2 - d6) * ac);
-  const float va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6)
-    return from(t[1] + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (t[2] - t[1]));
-  const float sum = va + vb + vc;
-  if (!(sum > 0)) return std::min({from(t[0]), from(t[1]), from(t[2])});
-  return from(t[0] + (vb / sum) * ab + (vc / sum) * ac);
-}
-
-// Index of the first vertex at the same position, for every vertex.
-std::vector<std::uint32_t> weld(std::span<const glm::vec3> positions) {
-  std::vector<std::uint32_t> order(positions.size()), same(positions.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t i) {
-    return std::tuple(positions[i].x, positions[i].y, positions[i].z, i);
-  };
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const bool repeated = k > 0 && positions[order[k]] == positions[order[k - 1]];
-    same[order[k]] = repeated ? same[order[k - 1]] : order[k];
-  }
-  return same;
-}
+using Corners = TriangleCorners;
 
 // The triangles, and a fan to the middle of every hole. The border of a surface is a sum of cycles,
 // so joining each unpaired edge to one point per hole closes it without walking the cycle.
 std::vector<Corners> closedTriangles(const TriangleMesh& mesh) {
-  const auto same = weld(mesh.positions);
+  const auto same = weldVertices(mesh.positions);
   std::vector<Corners> triangles;
   struct Edge {
     std::uint32_t low, high;
@@ -240,7 +200,10 @@ MeshSdf::MeshSdf(const TriangleMesh& mesh, float cell, float margin)
     require(glm::max(t.x, glm::max(t.y, t.z)) < mesh.positions.size(),
             "signed distance field: triangle ", &t - mesh.triangles.data(), " of ",
             mesh.positions.size(), " vertices has none of them at a corner");
-  const Bounds meshBox = bounds(mesh.positions);
+  // Of the corners alone: a vertex without a triangle is no surface.
+  Bounds meshBox;
+  for (const glm::uvec3& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) meshBox.extend(mesh.positions[t[k]]);
   const glm::vec3 count = glm::ceil((meshBox.size() + 2 * margin) / cell) + 1.0f;
   require(count.x * count.y * count.z < 0x1p27f, "signed distance field: ", count.x, " x ", count.y,
           " x ", count.z, " nodes are too many; take a larger cell than ", cell, " m");

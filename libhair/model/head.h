@@ -33,6 +33,10 @@ float scalpMask(glm::vec3 p);
 /// uppermost 8 cm of the mesh. Translation only.
 RigidTransform placeHead(const TriangleMesh& mesh, std::span<const glm::vec3> hairRoots);
 
+/// Throws Error, with the scale that would do, where roots (metres) spread over more than 1.2 m or
+/// less than 2 cm: no head's. Fewer than 16 roots are let pass.
+void requireHeadSized(std::span<const glm::vec3> hairRoots);
+
 /// A head fitted to hair that has none.
 struct HeadFit {
   RigidTransform headFromHair;  ///< where the hair comes to lie in head space; translation only

@@ -81,9 +81,24 @@ RigidTransform placeHead(const TriangleMesh& mesh, std::span<const glm::vec3> ha
   return {{1, 0, 0, 0}, crown(head.mesh.positions) - crown(mesh.positions)};
 }
 
+void requireHeadSized(std::span<const glm::vec3> hairRoots) {
+  if (hairRoots.size() < kFewestRoots) return;
+  constexpr float kScalp = 0.3f;  // from end to end
+  const float spread = glm::length(bounds(hairRoots).size());
+  if (spread > 0.02f && spread < 1.2f) return;
+  float best = 1;
+  for (const float factor : {0.001f, 0.01f, 0.0254f, 0.1f, 10.0f, 100.0f, 1000.0f})
+    if (std::abs(std::log(factor * spread / kScalp)) < std::abs(std::log(best * spread / kScalp)))
+      best = factor;
+  throw Error(text(
+      "head: hair roots spread over ", spread, " m, which is no head's; check --scale",
+      best == 1 ? "" : text(": ", best, " times what it is makes that ", best * spread, " m")));
+}
+
 HeadFit fitHeadToRoots(std::span<const glm::vec3> hairRoots) {
   require(hairRoots.size() >= kFewestRoots, "head: ", hairRoots.size(),
           " hair roots are too few to fit a head to; bring a head");
+  requireHeadSized(hairRoots);
   HeadFit fit;
   fit.head = builtinHead();
   const MeshSdf sdf(fit.head.mesh, 0.005f, 0.05f);
@@ -157,7 +172,7 @@ HeadFit fitHeadToRoots(std::span<const glm::vec3> hairRoots) {
   fit.residual = static_cast<float>(sum / static_cast<double>(hairRoots.size())) *
                  (bigger.x + bigger.y + bigger.z) / 3;
   require(fit.residual < 0.03f, "head: hair roots are ", 1e3f * fit.residual,
-          " mm from any head on average; check the unit and the axes (scale, up)");
+          " mm from any head on average; check the unit and the axes (--scale, --up)");
   return fit;
 }
 

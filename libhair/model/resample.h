@@ -5,6 +5,7 @@
 
 #include <libhair/core/api.h>
 #include <libhair/core/strands.h>
+#include <libhair/files/strand_file.h>
 
 namespace HAIR_API hair {
 
@@ -38,6 +39,14 @@ std::vector<T> resample(const ResamplePlan& plan, const std::vector<T>& items) {
   for (const auto [index, t] : plan.samples)
     result.push_back(t == 0 ? items[index] : items[index] + t * (items[index + 1] - items[index]));
   return result;
+}
+
+/// The same for the strands of a file and all of their arrays.
+inline void resample(const ResamplePlan& plan, StrandFile& file) {
+  file.thickness = resample(plan, file.thickness);
+  file.transparency = resample(plan, file.transparency);
+  file.colours = resample(plan, file.colours);
+  file.strands = {resample(plan, file.strands.points), plan.first};
 }
 
 }  // namespace hair

@@ -91,7 +91,7 @@ Groom bindGroom(StrandView strands, const BindSettings& settings, float hairs) {
   groom.first.assign(strands.first.begin(), strands.first.end());
   groom.parents.resize(strands.strandCount());
   groom.weights.resize(strands.strandCount());
-  groom.fibre.hairsPerStrand = std::max(1.0f, hairs / static_cast<float>(strands.strandCount()));
+  groom.fibre.hairsPerStrand = hairsEach(strands.strandCount(), hairs);
 
   // Let each strand follow its three nearest guides.
   parallelFor(strands.strandCount(), 64, [&](std::size_t begin, std::size_t end) {

@@ -1,11 +1,23 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+
 #include <libhair/core/api.h>
 #include <libhair/core/fields.h>
 #include <libhair/core/strands.h>
 #include <libhair/model/groom.h>
 
 namespace HAIR_API hair {
+
+/// Hairs on a head: what strands share where nobody says how many they stand for.
+inline constexpr float kHairsOnHead = 100'000;
+
+/// Hairs that each of so many strands stands for, where together they stand for `hairs`; at
+/// least 1.
+inline float hairsEach(std::size_t strands, float hairs = kHairsOnHead) {
+  return strands == 0 ? 1.0f : std::max(1.0f, hairs / static_cast<float>(strands));
+}
 
 /// Choice of guides among strands.
 struct BindSettings {
@@ -28,7 +40,7 @@ constexpr auto fieldsOf(const BindSettings*) {
 /// groom reproduces the strands to rounding. `hairs`: real hairs that the strands stand for
 /// together. Throws Error for no strands, strands of fewer than 2 points or without length, and
 /// settings out of range.
-Groom bindGroom(StrandView strands, const BindSettings& settings = {}, float hairs = 100'000);
+Groom bindGroom(StrandView strands, const BindSettings& settings = {}, float hairs = kHairsOnHead);
 
 /// Sets the groom's offsets to the difference of `strands` (head space; points as in the groom)
 /// from what its guides interpolate at rest: drawn at rest it then reproduces them to rounding.

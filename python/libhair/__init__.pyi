@@ -26,6 +26,7 @@ from ._libhair import HeadFit as HeadFit
 from ._libhair import KajiyaKaySettings as KajiyaKaySettings
 from ._libhair import LevelOfDetail as LevelOfDetail
 from ._libhair import Light as Light
+from ._libhair import LoadedGroom as LoadedGroom
 from ._libhair import MachineCosts as MachineCosts
 from ._libhair import Mesh as Mesh
 from ._libhair import MeshCollider as MeshCollider
@@ -63,6 +64,7 @@ from ._libhair import hair_mesh_groom as hair_mesh_groom
 from ._libhair import has_hair_mesh as has_hair_mesh
 from ._libhair import head_pixels as head_pixels
 from ._libhair import level_for as level_for
+from ._libhair import load_groom as load_groom
 from ._libhair import make_groom as make_groom
 from ._libhair import place_head as place_head
 from ._libhair import read_obj as read_obj
@@ -102,6 +104,7 @@ __all__ = [
     "KajiyaKaySettings",
     "LevelOfDetail",
     "Light",
+    "LoadedGroom",
     "MachineCosts",
     "Mesh",
     "MeshCollider",
@@ -139,6 +142,7 @@ __all__ = [
     "has_hair_mesh",
     "head_pixels",
     "level_for",
+    "load_groom",
     "make_groom",
     "place_head",
     "read_obj",

@@ -27,10 +27,10 @@ class Map {
     withoutLock([&] { hair::clear(map_, nextSettings, lightSpaceOf(nextLight, nextPivot)); });
     settings_ = nextSettings, light_ = nextLight, pivot_ = nextPivot;
   }
-  void deposit(const Strands& strands, const Fibre& fibre, std::uint32_t stride) {
+  void deposit(const Strands& strands, const std::optional<Fibre>& fibre, std::uint32_t stride) {
     const Busy busy(busy_, "density map");
     const StrandView view = strands.view();
-    withoutLock([&] { hair::deposit(view, fibre, map_, stride); });
+    withoutLock([&] { hair::deposit(view, fibreFor(fibre, view), map_, stride); });
   }
   void occludeField(const Field& field, const RigidTransform& worldFromMesh) {
     const Busy busy(busy_, "density map");
@@ -98,7 +98,7 @@ compute_transmittance(), then sample() or sample_strands().)")
       .def("clear", &Map::clear, py::arg("settings") = py::none(), py::arg("light") = py::none(),
            py::arg("pivot") = py::none(),
            "Forgets what was deposited; what is not given stays. Keeps its memory.")
-      .def("deposit", &Map::deposit, py::arg("strands"), py::arg("fibre") = Fibre{},
+      .def("deposit", &Map::deposit, py::arg("strands"), py::arg("fibre") = py::none(),
            py::arg("stride") = 1u,
            "Adds strands. stride: every so many strands are read, and count for that many.")
       .def("occlude", &Map::occludeField, py::arg("field").none(false),

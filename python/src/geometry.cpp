@@ -4,6 +4,7 @@
 #include <libhair/core/error.h>
 #include <libhair/model/head.h>
 
+#include "choices.h"
 #include "strands.h"
 #include "topics.h"
 #ifdef HAIR_PYTHON_MODEL
@@ -169,14 +170,19 @@ void bindGeometry(py::module_& m) {
       "The mannequin that the built-in styles grow on, as a Mesh in head space.");
   m.def(
       "read_obj",
-      [](const std::filesystem::path& path) -> Mesh {
+      [](const std::filesystem::path& path, float scale, UpAxis up) -> Mesh {
 #ifdef HAIR_PYTHON_MODEL
-        return withoutLock([&] { return std::make_shared<TriangleMesh>(readObj(path)); });
+        return withoutLock(
+            [&] { return std::make_shared<TriangleMesh>(readObj(path, {scale, up})); });
 #else
+        (void)scale, (void)up;
         throw Error(path.string() + ": this libhair was built without OBJ files (HAIR_WITH_MODEL)");
 #endif
       },
-      py::arg("path"), "The faces of an OBJ file, triangulated; taken as metres, +Y up.");
+      py::arg("path"), py::arg("scale") = 0.0f, py::arg("up") = UpAxis::AsFile,
+      R"(The faces of an OBJ file, triangulated, in metres, +Y up.
+
+scale: metres per unit of the file, 0: what it states, or 1. up: which axis of the file points up.)");
 
   py::class_<MeshSdf, std::shared_ptr<MeshSdf>>(
       m, "DistanceField", R"(Signed distance to a mesh on a grid: what hair collides with.

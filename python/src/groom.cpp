@@ -6,10 +6,13 @@
 
 #include <libhair/core/error.h>
 #include <libhair/model/styles.h>
-#include <libhair/wisps/bind.h>
+#include <libhair/wisps/load_groom.h>
 
 #include "choices.h"
 #include "topics.h"
+#ifdef HAIR_PYTHON_MODEL
+#include <libhair/files/obj.h>
+#endif
 #ifdef HAIR_PYTHON_HAIR_MESH
 #include <libhair/hair_mesh/hair_mesh_file.h>
 #include <libhair/hair_mesh/mesh_groom.h>
@@ -152,10 +155,91 @@ tied (G,) uint32, points of each guide that keep their places on the head.)")
       });
 }
 
+/// A LoadedGroom whose parts Python shares.
+struct Loaded {
+  GroomPtr groom;
+  Mesh head;
+  std::vector<Mesh> others;
+  RigidTransform transform;
+  std::vector<std::string> notes;
+};
+
+Mesh readMesh(const std::filesystem::path& path, ReadOptions& read) {
+#ifdef HAIR_PYTHON_MODEL
+  ObjReport report;
+  auto mesh = std::make_shared<TriangleMesh>(readObj(path, &report));
+  if (read.scale == 0) read.scale = report.scale;
+  if (read.up == UpAxis::AsFile) read.up = report.up;
+  return mesh;
+#else
+  (void)read;
+  throw Error(path.string() + ": this libhair was built without OBJ files (HAIR_WITH_MODEL)");
+#endif
+}
+
+Loaded loadedGroom(const std::filesystem::path& path,
+                   const std::vector<std::filesystem::path>& heads, float scale, UpAxis up,
+                   float headScale, UpAxis headUp, std::uint32_t strands, std::uint32_t points,
+                   const std::string& prim, std::uint32_t pointsPerStrand,
+                   const BindSettings& settings, float hairs) {
+  HeadFiles files{{}, {headScale, headUp}};
+  for (const std::filesystem::path& head : heads)
+    files.meshes.push_back(*readMesh(head, files.read));
+  LoadedGroom loaded = loadGroom(path, {{scale, up, prim, pointsPerStrand}, strands, points},
+                                 std::move(files), settings, hairs);
+  Loaded result{std::make_shared<Groom>(std::move(loaded.groom)),
+                std::make_shared<TriangleMesh>(std::move(loaded.head.head.mesh)),
+                {},
+                loaded.head.headFromHair,
+                std::move(loaded.notes)};
+  for (TriangleMesh& other : loaded.head.others)
+    result.others.push_back(std::make_shared<TriangleMesh>(std::move(other)));
+  return result;
+}
+
+void bindLoading(py::module_& m) {
+  py::class_<Loaded>(m, "LoadedGroom", "Hair of a file, and the head under it (load_groom).")
+      .def_readonly("groom", &Loaded::groom, "The Groom, head space.")
+      .def_readonly("head", &Loaded::head,
+                    "Mesh in head space: the given one, or the built-in one.")
+      .def_readonly("others", &Loaded::others, "Meshes that move with the head, head space.")
+      .def_readonly("transform", &Loaded::transform,
+                    "Where what has the hair's coordinates, in metres and +Y up, comes to lie.")
+      .def_readonly("notes", &Loaded::notes,
+                    "What was assumed, dropped or repaired, a sentence each.")
+      .def("__repr__", [](const Loaded& loaded) {
+        return text("<LoadedGroom of ", loaded.groom->strandCount(), " strands, ",
+                    loaded.notes.size(), " notes>");
+      });
+  m.def(
+      "load_groom",
+      [](const std::filesystem::path& path, const std::vector<std::filesystem::path>& heads,
+         float scale, UpAxis up, float headScale, UpAxis headUp, std::uint32_t strands,
+         std::uint32_t points, const std::string& prim, std::uint32_t pointsPerStrand,
+         const BindSettings& settings, float hairs) {
+        return withoutLock([&] {
+          return loadedGroom(path, heads, scale, up, headScale, headUp, strands, points, prim,
+                             pointsPerStrand, settings, hairs);
+        });
+      },
+      py::arg("path"), py::arg("heads") = std::vector<std::filesystem::path>{}, py::kw_only(),
+      py::arg("scale") = 0.0f, py::arg("up") = UpAxis::AsFile, py::arg("head_scale") = 0.0f,
+      py::arg("head_up") = UpAxis::AsFile, py::arg("strands") = 0, py::arg("points") = 0,
+      py::arg("prim") = "", py::arg("points_per_strand") = 0, py::arg("settings") = BindSettings{},
+      py::arg("hairs") = kHairsOnHead,
+      R"(From a file of strands to a Groom on a head, as the programs do with --hair and --head.
+
+heads: OBJ files, first the head, then what moves with it; none: the built-in head, scaled under the
+roots. head_scale, head_up: theirs; left out, the hair's, or metres and +Y up where those fit. strands,
+points: how many of each are taken, 0: all. The rest as in read_strands and bind_groom. Error names
+file, place and cause, also for a head that does not fit the hair.)");
+}
+
 }  // namespace
 
 void bindGrooms(py::module_& m) {
   bindGroomClass(m);
+  bindLoading(m);
   m.def("style_settings", &styleSettings, py::arg("style") = Style::Smooth,
         "The StyleSettings of a built-in style: \"smooth\", \"curly\" or \"long\".");
   m.def(

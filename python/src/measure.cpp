@@ -41,9 +41,10 @@ py::array memberOf(const PointsPtr& points, std::size_t offset, py::ssize_t colu
 }
 
 TruthPtr exactTruth(const Strands& strands, const Light& light, const PointsPtr& points,
-                    float footprint, std::uint32_t rays, std::uint32_t seed, const Fibre& fibre,
-                    const std::optional<glm::vec3>& pivot) {
+                    float footprint, std::uint32_t rays, std::uint32_t seed,
+                    const std::optional<Fibre>& given, const std::optional<glm::vec3>& pivot) {
   const StrandView view = strands.view(2);
+  const Fibre fibre = fibreFor(given, view);
   for (const SamplePoint& p : points->items)
     require(p.strand < view.strandCount() && p.point < view.pointCount(), "truth: strand ",
             p.strand, ", point ", p.point, " is not of these strands");
@@ -71,11 +72,11 @@ TruthPtr exactTruth(const Strands& strands, const Light& light, const PointsPtr&
 
 std::vector<ShadowTrial> trials(const std::vector<ShadowCandidate>& candidates,
                                 const Strands& strands, const Light& light, const TruthAt& truth,
-                                int repeats, const Fibre& fibre,
+                                int repeats, const std::optional<Fibre>& fibre,
                                 const std::optional<glm::vec3>& pivot, const py::object& onStep) {
   const StrandView view = strands.view(2);
   const LightSpace space = lightSpaceFor(light, pivot, view);
-  const TrialScene scene{view, fibre, space, truth.points->items, truth.truth};
+  const TrialScene scene{view, fibreFor(fibre, view), space, truth.points->items, truth.truth};
   const auto step = [&] {
     const py::gil_scoped_acquire lock;
     passInterrupts();
@@ -149,7 +150,7 @@ void bindTruth(py::module_& m) {
   m.def("truth", &exactTruth, py::arg("strands"), py::arg("light"), py::arg("points").none(false),
         py::arg("footprint") = TruthSettings{}.footprint, py::kw_only(),
         py::arg("rays") = TruthSettings{}.rays, py::arg("seed") = TruthSettings{}.seed,
-        py::arg("fibre") = Fibre{}, py::arg("pivot") = py::none(),
+        py::arg("fibre") = py::none(), py::arg("pivot") = py::none(),
         R"(Transmittance by rays through fibres of real width: slow, and right. Ctrl-C stops it.
 
 points: SamplePoints of the strands. footprint: radius of the disc that is averaged over, metres.
@@ -234,7 +235,7 @@ void bindTrials(py::module_& m) {
       });
   m.def(
       "run_trials", &trials, py::arg("candidates"), py::arg("strands"), py::arg("light"),
-      py::arg("truth"), py::arg("repeats") = 3, py::kw_only(), py::arg("fibre") = Fibre{},
+      py::arg("truth"), py::arg("repeats") = 3, py::kw_only(), py::arg("fibre") = py::none(),
       py::arg("pivot") = py::none(), py::arg("on_step") = py::none(),
       "Tries every candidate so many times, in turns; a list of Trial. Ctrl-C stops it between two "
       "of them. on_step: called after each.");
@@ -299,17 +300,17 @@ void bindChoice(py::module_& m) {
   m.def(
       "choose_shadow",
       [](const Strands& strands, const Light& light, const MachineCosts& machine, double maxError,
-         double milliseconds, float footprint, const Fibre& fibre,
+         double milliseconds, float footprint, const std::optional<Fibre>& fibre,
          const std::optional<glm::vec3>& pivot, const PilotSettings& pilot) {
         const StrandView view = strands.view(2);
         return withoutLock([&] {
-          return chooseShadow(view, fibre, lightSpaceFor(light, pivot, view), footprint,
-                              {maxError, milliseconds}, machine, pilot);
+          return chooseShadow(view, fibreFor(fibre, view), lightSpaceFor(light, pivot, view),
+                              footprint, {maxError, milliseconds}, machine, pilot);
         });
       },
       py::arg("strands"), py::arg("light"), py::arg("machine"), py::kw_only(),
       py::arg("max_error") = kNoLimit, py::arg("milliseconds") = kNoLimit,
-      py::arg("footprint") = TruthSettings{}.footprint, py::arg("fibre") = Fibre{},
+      py::arg("footprint") = TruthSettings{}.footprint, py::arg("fibre") = py::none(),
       py::arg("pivot") = py::none(), py::arg("pilot") = PilotSettings{},
       R"(The method and settings for this hair that keep a limit of errors, of time, or both.
 

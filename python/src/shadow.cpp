@@ -8,6 +8,7 @@
 #include <libhair/shade/appearance.h>
 #include <libhair/shadow/density_map.h>
 #include <libhair/shadow/methods/shadow_method.h>
+#include <libhair/wisps/bind.h>
 
 #include "choices.h"
 #include "topics.h"
@@ -19,6 +20,13 @@ LightSpace lightSpaceFor(const Light& light, const std::optional<glm::vec3>& piv
   if (pivot) return lightSpaceOf(light, *pivot);
   const bool none = strands.points.empty();
   return lightSpaceOf(light, none ? glm::vec3(0) : bounds(strands.points).centre());
+}
+
+Fibre fibreFor(const std::optional<Fibre>& fibre, StrandView strands) {
+  if (fibre) return *fibre;
+  Fibre shared;
+  shared.hairsPerStrand = hairsEach(strands.strandCount());
+  return shared;
 }
 
 namespace {
@@ -43,9 +51,10 @@ std::span<const glm::vec3> checkedPoints(const py::array& points, std::string_vi
   return items;
 }
 
-py::array shadow(const Strands& strands, const Light& light, float footprint, const Fibre& fibre,
-                 const std::optional<ShadowSettings>& method, const std::optional<glm::vec3>& pivot,
-                 const py::object& at, const py::object& out) {
+py::array shadow(const Strands& strands, const Light& light, float footprint,
+                 const std::optional<Fibre>& fibre, const std::optional<ShadowSettings>& method,
+                 const std::optional<glm::vec3>& pivot, const py::object& at,
+                 const py::object& out) {
   const StrandView view = strands.view();
   const Places places(at, strands);
   const auto points = checkedPoints(places.points, "at");
@@ -57,7 +66,7 @@ py::array shadow(const Strands& strands, const Light& light, float footprint, co
     const LightSpace space = lightSpaceFor(light, pivot, view);
     const auto made = makeShadowMethod(
         method ? *method : ShadowSettings(automaticMapSettings(view, space, footprint)));
-    made->build(view, fibre, space);
+    made->build(view, fibreFor(fibre, view), space);
     if (at.is_none())
       made->sampleStrands(view, to);
     else
@@ -72,11 +81,12 @@ class Method {
   explicit Method(const ShadowSettings& settings)
       : settings_(settings), method_(makeShadowMethod(settings)) {}
 
-  void build(const Strands& strands, const Light& light, const Fibre& fibre,
+  void build(const Strands& strands, const Light& light, const std::optional<Fibre>& fibre,
              const std::optional<glm::vec3>& pivot) {
     const Busy busy(busy_, "shadow method");
     const StrandView view = strands.view();
-    withoutLock([&] { method_->build(view, fibre, lightSpaceFor(light, pivot, view)); });
+    withoutLock(
+        [&] { method_->build(view, fibreFor(fibre, view), lightSpaceFor(light, pivot, view)); });
     built_ = true;
   }
   py::array sample(const py::object& points, const py::object& out) {
@@ -120,8 +130,9 @@ A second build reuses the memory of the first.)")
       .def(py::init<const ShadowSettings&>(), py::arg("settings"),
            "Settings of any method; Error where they are out of range.")
       .def("build", &Method::build, py::arg("strands"), py::arg("light"),
-           py::arg("fibre") = Fibre{}, py::kw_only(), py::arg("pivot") = py::none(),
-           "For these strands under this light. pivot: what a light at a point looks at, metres; "
+           py::arg("fibre") = py::none(), py::kw_only(), py::arg("pivot") = py::none(),
+           "For these strands under this light. fibre: as in shadow. pivot: what a light at a "
+           "point looks at, metres; "
            "None: the middle of the hair.")
       .def("sample", &Method::sample, py::arg("points"), py::arg("out") = py::none(),
            "Transmittance at points (N, 3) float32: (N,) float32, [0, 1]; in `out` if given.")
@@ -192,12 +203,13 @@ void bindShadows(py::module_& m) {
   bindMethod(m);
   bindDensityMap(m);
   m.def("shadow", &shadow, py::arg("strands"), py::arg("light"), py::arg("footprint") = 3e-3f,
-        py::kw_only(), py::arg("fibre") = Fibre{}, py::arg("method") = py::none(),
+        py::kw_only(), py::arg("fibre") = py::none(), py::arg("method") = py::none(),
         py::arg("pivot") = py::none(), py::arg("at") = py::none(), py::arg("out") = py::none(),
         R"(How much of the light gets to strands: transmittance, float32, 1 lit, 0 dark.
 
 footprint: radius of the disc that shadows are averaged over, metres. fibre: what a strand stands
-for; a strand that is one hair is Fibre(hairs_per_strand=1). method: settings of any method; None:
+for; None: together they are the 100,000 hairs of a head; a strand that is one hair is
+Fibre(hairs_per_strand=1). method: settings of any method; None:
 the density map as measurement chose it for the footprint. pivot: what a light at a point looks at,
 None: the middle of the hair. at: other points (M, 3) float32, a floor say; None: the strands' own,
 without a strand's own shadow. Returns (N,) or (M,), `out` if given.)");

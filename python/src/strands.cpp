@@ -137,6 +137,9 @@ void bindFiles(py::module_& m) {
           "scale", [](const File& f) { return f.rest.scale; }, "Metres per unit that was applied.")
       .def_property_readonly(
           "up", [](const File& f) { return f.rest.up; }, "Axes that were assumed.")
+      .def_property_readonly(
+          "notes", [](const File& f) { return f.rest.notes; },
+          "What the reader chose or assumed, a sentence each.")
       .def_readonly("thickness", &File::thickness, "(N,) float32 diameters, metres, or None.")
       .def_readonly("transparency", &File::transparency, "(N,) float32, 0 opaque, or None.")
       .def_readonly("colours", &File::colours, "(N, 3) float32 linear RGB, or None.")
@@ -156,14 +159,18 @@ void bindFiles(py::module_& m) {
 
   m.def(
       "read_strands",
-      [](const std::filesystem::path& path, float scale, UpAxis up) {
-        return File(withoutLock([&] { return readStrands(path, {scale, up}); }));
+      [](const std::filesystem::path& path, float scale, UpAxis up, const std::string& prim,
+         std::uint32_t pointsPerStrand) {
+        return File(
+            withoutLock([&] { return readStrands(path, {scale, up, prim, pointsPerStrand}); }));
       },
       py::arg("path"), py::arg("scale") = 0.0f, py::arg("up") = UpAxis::AsFile,
+      py::arg("prim") = "", py::arg("points_per_strand") = 0,
       R"(Reads a file of strands; its extension says which format.
 
 scale: metres per unit of the file, 0: the format's default. up: which axis of the file points up.
-Error names file, place and cause.)");
+prim: of several curves in a .usda, those of this path or name. points_per_strand: of a cloud of
+points without edges; 0: as their spacing shows. Error names file, place and cause.)");
   m.def(
       "write_strands",
       [](const std::filesystem::path& path, const Strands& strands) {

@@ -29,6 +29,11 @@ std::vector<Format> formats() {
           {"ply", fuzzPly, samplePlyText(), false},
           {"lines", fuzzLines, sampleObjLines(), false},
           {"usda", fuzzUsda, sampleUsda(), false},
+          {"usda", fuzzUsda, sampleUsdaScene(), false},
+          {"numpy", fuzzNumpy, sampleNpy(), true},
+          {"numpy", fuzzNumpy, sampleNpz(false), true},
+          {"numpy", fuzzNumpy, sampleNpz(true), true},
+          {"pbrt", fuzzPbrt, samplePbrt(), false},
 #ifdef HAIR_WITH_MODEL
           {"obj", fuzzObj, sampleObj(), false},
 #endif

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <libhair/core/error.h>
@@ -134,6 +135,91 @@ inline std::string sampleHairMesh() {
 inline std::string sampleHairMeshScript() {
   return "scalp sphere 0.1 1 3\nselect a x > 0 # right\nextrude a .1\n\tmove a at tip 0 1 0\r"
          "group points 9\n";
+}
+
+/// Bytes from hexadecimal digits.
+inline std::string bytesFromHex(std::string_view hex) {
+  std::string bytes;
+  const auto digit = [](char c) { return c <= '9' ? c - '0' : c - 'a' + 10; };
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
+    bytes += static_cast<char>(16 * digit(hex[i]) + digit(hex[i + 1]));
+  return bytes;
+}
+
+/// Two strands of two points, as NumPy saves them.
+inline std::string sampleNpy() {
+  return bytesFromHex(
+      "934e554d5059010046007b276465736372273a20273c6634272c2027666f727472616e5f6f72646572273a20"
+      "46616c73652c20277368617065273a2028322c20322c2033292c207d202020202020200a000000000000803f"
+      "0000004000004040000080400000a0400000c0400000e04000000041000010410000204100003041");
+}
+
+/// Points [5, 3] and the counts of two strands, as NumPy saves them; deflated or not.
+inline std::string sampleNpz(bool packed) {
+  if (packed)
+    return bytesFromHex(
+        "504b03041400000008000000000038e062685b0000008c0000000a000000706f696e74732e6e70799bec17ea"
+        "1b10c9c8e0c650ad9e925a9c5ca46ea5a06e9366a2aea3a09e965f54529498179f5f94920a12774bcc294e05"
+        "8a17672416a402f91aa63a0ac69a3a0ab50a70c0c500060d7640c29e81c101881b807801101fb02724070050"
+        "4b030414000000080000000000d4cd5d324a000000580000000a000000636f756e74732e6e70799bec17ea1b"
+        "10c9c8e0c650ad9e925a9c5ca46ea5a06e9369a2aea3a09e965f54529498179f5f94920a12774bcc294e058a"
+        "17672416a402f91a463a9a3a0ab50a48808b89818181198801504b010214001400000008000000000038e062"
+        "685b0000008c0000000a0000000000000000000000000000000000706f696e74732e6e7079504b0102140014"
+        "000000080000000000d4cd5d324a000000580000000a0000000000000000000000000083000000636f756e74"
+        "732e6e7079504b0506000000000200020070000000f50000000000");
+  return bytesFromHex(
+      "504b03041400000000000000000038e062688c0000008c0000000a000000706f696e74732e6e7079934e554d"
+      "5059010046007b276465736372273a20273c6634272c2027666f727472616e5f6f72646572273a2046616c73"
+      "652c20277368617065273a2028352c2033292c207d202020202020202020200a000000000000803e0000003f"
+      "0000403f0000803f0000a03f0000c03f000000000000803e0000003f0000403f0000803f0000a03f0000c03f"
+      "00000000504b030414000000000000000000d4cd5d3258000000580000000a000000636f756e74732e6e7079"
+      "934e554d5059010046007b276465736372273a20273c6934272c2027666f727472616e5f6f72646572273a20"
+      "46616c73652c20277368617065273a2028322c292c207d2020202020202020202020200a0200000003000000"
+      "504b010214001400000000000000000038e062688c0000008c0000000a000000000000000000000000000000"
+      "0000706f696e74732e6e7079504b0102140014000000000000000000d4cd5d3258000000580000000a000000"
+      "00000000000000000000b4000000636f756e74732e6e7079504b050600000000020002007000000034010000"
+      "0000");
+}
+
+/// Three strands: of two curves, of one, and a straight one of another basis and degree.
+inline std::string samplePbrt() {
+  return "LookAt 0 0 5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" [ 40 ]\nWorldBegin\n"
+         "Material \"hair\" \"bool remap\" true # brown\nScale 2 2 2\n"
+         "Shape \"curve\" \"string type\" [ \"flat\" ] \"point3 P\" [ 0 0 0 0 1 0 0 2 0 0 3 0 ]\n"
+         "  \"float width0\" [ 0.2 ] \"float width1\" 0.1\n"
+         "Shape \"curve\" \"point P\" [ 0 3 0 0 4 0 0 5 0 1 6 0 ]\nAttributeBegin\n"
+         "Translate 1 0 0 Rotate 90 0 0 1\nConcatTransform [ 1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1 ]\n"
+         "Shape \"curve\" \"point P\" [ 0 0 0 0 1 0 0 2 0 ] \"integer degree\" 2\nAttributeEnd\n"
+         "Shape \"curve\" \"string basis\" \"bspline\" \"point P\" [ 5 0 0 5 1 0 5 2 0 5 3 0 5 4 0 "
+         "]\n"
+         "Shape \"sphere\" \"float radius\" 3\n";
+}
+
+/// Two prims of curves in transforms that move, cubic and linear, in a variant, with indices.
+inline std::string sampleUsdaScene() {
+  return "#usda 1.0\n(\n  upAxis = \"Z\"\n)\ndef Xform \"A\" (\n  variants = { string v = \"b\" "
+         "}\n)\n{\n"
+         "  matrix4d xformOp:transform.timeSamples = { 1: ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, "
+         "0), "
+         "(1, 2, 3, 1)), 2: ((2, 0, 0, 0), (0, 2, 0, 0), (0, 0, 2, 0), (0, 0, 0, 1)) }\n"
+         "  float3 xformOp:rotateXYZ = (10, 20, 30)\n  double3 xformOp:translate:p = (1, 0, 0)\n"
+         "  quatf xformOp:orient = (1, 0, 0, 1)\n  uniform token[] xformOpOrder = "
+         "[\"xformOp:transform\", "
+         "\"xformOp:rotateXYZ\", \"!invert!xformOp:translate:p\", \"xformOp:orient\"]\n"
+         "  def BasisCurves \"C\" {\n    uniform token basis = \"bspline\"\n    uniform token wrap "
+         "= "
+         "\"pinned\"\n    int[] curveVertexCounts = [3, 2]\n    point3f[] points = [(0, 0, 0), (0, "
+         "1, 0), "
+         "(1, 2, 0), (3, 0, 0), (3, 1, 0)]\n    float[] widths = [1, 2] (interpolation = "
+         "\"uniform\")\n"
+         "    color3f[] primvars:displayColor = [(1, 0, 0), (0, 1, 0)] (interpolation = "
+         "\"varying\")\n"
+         "    int[] primvars:displayColor:indices = [0, 1, 0, 1, 1]\n  }\n  variantSet \"v\" = {\n"
+         "    \"a\" { }\n    \"b\" {\n      def BasisCurves \"D\" {\n        uniform token type = "
+         "\"linear\"\n"
+         "        float3 xformOp:scale = (2, 2, 2)\n        uniform token[] xformOpOrder = "
+         "[\"!resetXformStack!\", \"xformOp:scale\"]\n        int[] curveVertexCounts = [2]\n"
+         "        point3f[] points = [(0, 0, 0), (0, 0, 1)]\n      }\n    }\n  }\n}\n";
 }
 
 /// A folder that goes away with the test.

@@ -139,7 +139,7 @@ TEST(StrandFormats, WhatAFormatCannotHoldIsAnErrorWithAWayOut) {
   wrong.strands.points[0].x = NAN;
   for (const Format& format : kFormats)
     EXPECT_NE(error(text("a.", format.extension).c_str(), wrong), "");
-  says(error("a.abc", point), ".hair, .tfx, .data, .ply, .obj and .usda");
+  says(error("a.abc", point), ".hair, .tfx, .data, .ply, .obj, .usda, .npy, .npz and .pbrt");
   says(error("a.hair", point, {.scale = 0}), "scale of 0");
   point.strands.points[0].x = 1e7f;
   says(error("a.obj", point, {.scale = 1e-3f}), "larger units");

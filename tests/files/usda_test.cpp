@@ -96,11 +96,9 @@ TEST(Usda, ErrorsNameFileLineAndCause) {
   };
   says(error("#usda 1.0", "PXR-USDC"), "a.usda: line 1: this is a binary USD file; turn it into");
   says(error("#usda 1.0", "hello"), "'#usda 1.0' expected");
-  says(error("\"linear\"", "\"cubic\""), "of type 'cubic'; only linear curves are read");
-  says(error("type = ", "basis = "), "of type 'cubic'");  // the schema's fallback
-  says(error("# straight", "; uniform token wrap = \"periodic\""), "has the wrap 'periodic'");
-  says(error("[]\n  def Mesh", "[\"xformOp:scale\"]\n  def Mesh"), "transform of World: apply it");
-  says(error("def Mesh", "def BasisCurves"), "a second BasisCurves, hair, after head");
+  says(error("\"linear\"", "\"conic\""), "of type 'conic'; linear and cubic curves are read");
+  says(error("\"linear\"", "\"cubic\"; token basis = \"power\""), "has the basis 'power'");
+  says(error("# straight", "; uniform token wrap = \"spiral\""), "has the wrap 'spiral'");
   says(error("BasisCurves", "NurbsCurves"), "ends without a BasisCurves");
   says(error("int[] curveVertexCounts", "int[] counts"), "has no curveVertexCounts");
   says(error("point3f[] points", "point3f[] velocities"), "has no points");
@@ -112,7 +110,8 @@ TEST(Usda, ErrorsNameFileLineAndCause) {
   says(error("2e0", "inf"), "a.usda: line 29: points: 'inf' is no finite number");
   says(error("= 0.01", "= 0"), "metersPerUnit of 0");
   says(error("\"Z\"", "\"X\""), "upAxis 'X'");
-  says(error("# straight", "; int[] primvars:displayColor:indices = [0]"), "indexed");
+  says(error("# straight", "; int[] primvars:displayColor:indices = [1]"),
+       "displayColor: index 1 of 1 values");
   says(error("note'''\n  }\n}", "note'''\n  }\n"), "ends within a prim (truncated)");
   says(error("note'''", "note''"), "ends within a string");
 }

@@ -61,7 +61,26 @@ std::vector<std::string> plySeeds() {
   file.transparency.clear();
   file.colours.clear();
   writePly(bare, file);
-  return {samplePlyText(), binary.str(), bare.str()};
+  const std::string vertices =
+                        "element vertex 6\nproperty float x\nproperty float y\nproperty float z\n",
+                    points = "0 0 0\n0 1 0\n0 2 0\n9 0 0\n9 1 0\n9 2 0\n";
+  std::string big =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty float x\nproperty "
+      "float y\nproperty float z\nproperty short strand_id\nend_header\n";
+  big += std::string("\x3f\x80\0\0\0\0\0\0\xc0\0\0\0\0\1", 14);
+  return {samplePlyText(),
+          binary.str(),
+          bare.str(),
+          big,
+          "ply\nformat ascii 1.0\n" + vertices + "end_header\n" + points,
+          "ply\nformat ascii 1.0\n" + vertices +
+              "element polyline 2\nproperty list uchar int vertex_index\nend_header\n" + points +
+              "3 0 1 2\n3 3 4 5\n"};
+}
+
+// Both kinds of points, both ways of packing.
+std::vector<std::string> numpySeeds() {
+  return {sampleNpy(), sampleNpz(false), sampleNpz(true)};
 }
 
 // As written, as modellers write it (edges), and with faces besides.
@@ -95,7 +114,7 @@ std::vector<std::string> usdaSeeds() {
     writeUsdaExtent(out, file.strands.points, widestOf(file));
     out << ",\n    }\n" << usdaEnd();
   }
-  return {sampleUsda(), still.str(), moving.str(),
+  return {sampleUsda(), still.str(), moving.str(), sampleUsdaScene(),
           "#usda 1.0\nclass \"c\" {}\nover \"o\" (\n  prepend references = @a.usd@</A>\n) {\n"
           "  variantSet \"v\" = { \"a\" { int x = 1 } }\n  custom rel r\n  reorder nameChildren = "
           "[\"a\"]\n}\ndef BasisCurves \"h\" {\n  token type = 'linear'\n  int[] "
@@ -214,7 +233,8 @@ std::string lines(std::string words) {
 // Every option of every command at least once.
 std::vector<std::string> optionSeeds() {
   static const std::string kSubject =
-      " --hair a.tfx --head a.obj --head b.obj --scale 0.01 --up z-back --strands 99 --points 9 "
+      " --hair a.tfx --head a.obj --head b.obj --scale 0.01 --up z-back --head-scale 0.1 --head-up "
+      "x --prim a/b --points-per-strand 12 --strands 99 --points 9 "
       "--motion a.bvh --motion-scale 0.02 --guides 50";
   static const std::string kPerformance =
       " --fps 30 --threads 2 --cells 64 --light 0,-1,0 --point 1,2,3,0.5,0.5,1 --light "
@@ -268,6 +288,8 @@ std::vector<FuzzSeeds> fuzzSeeds() {
           {"tfx", tfxSeeds()},
           {"data", dataSeeds()},
           {"ply", plySeeds()},
+          {"numpy", numpySeeds()},
+          {"pbrt", {samplePbrt()}},
           {"lines", lineSeeds()},
           {"usda", usdaSeeds()},
           {"bvh", {sampleBvh(), person(false, false)}},

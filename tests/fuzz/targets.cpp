@@ -8,7 +8,9 @@
 #include <libhair/files/bvh_file.h>
 #include <libhair/files/data_file.h>
 #include <libhair/files/hair_file.h>
+#include <libhair/files/numpy/npz_strands.h>
 #include <libhair/files/obj_strands.h>
+#include <libhair/files/pbrt_file.h>
 #include <libhair/files/ply_file.h>
 #include <libhair/files/tfx_file.h>
 #include <libhair/files/usda/usda_file.h>
@@ -140,6 +142,14 @@ bool fuzzUsda(std::string_view bytes) {
         reread.strands.first == file.strands.first && reread.strands.points == file.strands.points,
         "what is written is read");
   });
+}
+
+bool fuzzNumpy(std::string_view bytes) {
+  return readOrError([&] { promiseStrandFile(parseNumpy(bytes, "fuzz"), 0); });
+}
+
+bool fuzzPbrt(std::string_view bytes) {
+  return readOrError([&] { promiseStrandFile(parsePbrt(bytes, "fuzz"), 2); });
 }
 
 bool fuzzBvh(std::string_view bytes) {

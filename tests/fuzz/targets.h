@@ -16,6 +16,9 @@ bool fuzzPly(std::string_view bytes);
 bool fuzzLines(std::string_view bytes);
 /// Every frame of it.
 bool fuzzUsda(std::string_view bytes);
+/// A .npy or .npz file.
+bool fuzzNumpy(std::string_view bytes);
+bool fuzzPbrt(std::string_view bytes);
 bool fuzzBvh(std::string_view bytes);
 bool fuzzObj(std::string_view bytes);
 /// A hair mesh.

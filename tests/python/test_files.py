@@ -13,6 +13,10 @@ import libhair
 MODELS = pathlib.Path(os.environ["HAIR_SOURCE_DIR"]) / "models"
 
 
+def file_notes(path):
+    return " ".join(libhair.read_strands(path).notes)
+
+
 class Files(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -94,6 +98,56 @@ class Files(unittest.TestCase):
             raise
         self.assertEqual((mesh.positions.shape, mesh.triangles.shape), ((4, 3), (2, 3)))
         numpy.testing.assert_allclose(mesh.normals, [[0, 0, 1]] * 4)
+        turned = libhair.read_obj(path, scale=0.01, up="z-back")
+        numpy.testing.assert_allclose(turned.positions[3], [0.01, 0, -0.01], atol=1e-8)
+        numpy.testing.assert_allclose(turned.normals, [[0, 1, 0]] * 4, atol=1e-7)
+
+    def test_strands_of_numpy_are_read(self):
+        points = wavy(30)
+        numpy.save(self.folder / "a.npy", points)
+        numpy.savez(self.folder / "b.npz", points=points.astype("f8"), note=numpy.array("text"))
+        counts = numpy.full(len(points), points.shape[1])
+        numpy.savez_compressed(self.folder / "c.npz", points=points.reshape(-1, 3), counts=counts)
+        numpy.save(self.folder / "d.npy", numpy.asfortranarray(points.astype(">f4")))
+        numpy.save(self.folder / "e.npy", points.reshape(-1, 3))
+        for name in ("a.npy", "b.npz", "c.npz", "d.npy"):
+            file = libhair.read_strands(self.folder / name)
+            numpy.testing.assert_array_equal(file.strands.points, points.reshape(-1, 3), name)
+            self.assertEqual(len(file.strands), 30, name)
+        self.assertIn("points, counts are read", file_notes(self.folder / "c.npz"))
+        cloud = libhair.read_strands(self.folder / "e.npy", points_per_strand=points.shape[1])
+        self.assertEqual(len(cloud.strands), 30)
+        with self.assertRaisesRegex(libhair.Error, "objects"):
+            numpy.save(self.folder / "f.npy", numpy.array([points[0], points[1, :3]], dtype=object))
+            libhair.read_strands(self.folder / "f.npy")
+
+    def test_a_groom_is_loaded_with_its_head(self):
+        head = libhair.builtin_head()
+        normals = head.normals[::50]
+        roots = head.positions[::50][head.positions[::50][:, 1] > 0.1]
+        up = normals[head.positions[::50][:, 1] > 0.1]
+        points = roots[:, None] + numpy.linspace(0, 0.2, 12, dtype="f4")[None, :, None] * up[:, None]
+        libhair.write_strands(self.folder / "a.ply", libhair.Strands(points.astype("f4")))
+        loaded = libhair.load_groom(self.folder / "a.ply", settings=libhair.BindSettings(guides=20))
+        self.assertEqual(loaded.groom.strand_count, len(points))
+        self.assertIn("no --head", " ".join(loaded.notes))
+        self.assertAlmostEqual(loaded.groom.fibre.hairs_per_strand, 1e5 / len(points), delta=1)
+        path = self.folder / "head.obj"
+        with path.open("w") as out:
+            for x, y, z in 100 * head.positions:
+                out.write(f"v {x} {y} {z}\n")
+            for a, b, c in head.triangles + 1:
+                out.write(f"f {a} {b} {c}\n")
+        try:
+            loaded = libhair.load_groom(self.folder / "a.ply", [path], head_scale=0.01)
+        except libhair.Error as error:
+            if "built without" in str(error):
+                self.skipTest(str(error))
+            raise
+        self.assertAlmostEqual(float(numpy.ptp(loaded.head.positions[:, 0])),
+                               float(numpy.ptp(head.positions[:, 0])), delta=1e-3)
+        with self.assertRaisesRegex(libhair.Error, "--head-scale 0.01 --head-up y"):
+            libhair.load_groom(self.folder / "a.ply", [path])
 
 
 if __name__ == "__main__":

@@ -48,6 +48,13 @@ class Laws(unittest.TestCase):
         parallel = libhair.shadow(hair, LIGHT, fibre=FIBRE)
         self.assertLess(numpy.abs(far - parallel).mean(), 0.01)
 
+    def test_strands_share_the_hairs_of_a_head(self):
+        hair = libhair.Strands(wavy(500))
+        shared = libhair.shadow(hair, LIGHT)
+        numpy.testing.assert_array_equal(
+            shared, libhair.shadow(hair, LIGHT, fibre=libhair.Fibre(hairs_per_strand=200)))
+        self.assertEqual(libhair.bind_groom(hair).fibre.hairs_per_strand, 200)
+
     def test_no_hair_is_no_shadow(self):
         hair = libhair.Strands(wavy())
         above = numpy.array([[0, 5, 0]], numpy.float32)

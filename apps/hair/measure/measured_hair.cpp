@@ -5,7 +5,7 @@
 
 #include <apps/common/player.h>
 #include <libhair/core/error.h>
-#include <libhair/model/resample.h>
+#include <libhair/model/load_strands.h>
 
 namespace hair {
 
@@ -38,36 +38,16 @@ float fileWidth(const StrandFile& file, std::vector<std::string>& notes) {
 
 MeasuredHair fromFile(const MeasureOptions& options) {
   const CharacterOptions& character = options.character;
+  LoadedStrands loaded =
+      loadStrands(character.hair, {character.read, character.strands, character.points});
   MeasuredHair hair;
   hair.name = character.hair.filename().string();
-  StrandFile file = readStrands(character.hair, character.read);
-  const std::vector<std::uint32_t> sound = soundStrands(file.strands);
-  const std::size_t read = file.strands.strandCount();
-  require(!sound.empty(), character.hair.string(),
-          ": no strand is longer than 1 mm; check --scale");
-  hair.notes.push_back(text(hair.name, ": ", read, " strands, ", file.strands.pointCount(),
-                            " points; ", file.scale, " m a unit, up axis ", wordOf(file.up)));
-  if (sound.size() < read)
-    hair.notes.push_back(
-        text("dropped ", read - sound.size(), " strands of a single point or shorter than 1 mm"));
-  hair.fibre.width = fileWidth(file, hair.notes);
+  hair.notes = std::move(loaded.notes);
+  hair.fibre.width = fileWidth(loaded.file, hair.notes);
   hair.fibre.hairsPerStrand = 1;
-
-  // Which of the file's strands stay.
-  std::vector<std::uint32_t> kept;
-  const std::size_t wanted = character.strands > 0 ? character.strands : sound.size();
-  if (wanted > sound.size())
-    hair.notes.push_back(text("--strands ", wanted, ": the file has only ", sound.size()));
-  for (const std::uint32_t s : chooseStrands(sound.size(), wanted)) kept.push_back(sound[s]);
-  if (kept.size() == read && character.points == 0) {
-    hair.strands = std::move(file.strands);
-    return hair;
-  }
-  const ResamplePlan plan = planResampling(file.strands, kept, character.points);
-  hair.strands = {resample(plan, file.strands.points), plan.first};
-  hair.fileStrand = kept;
-  for (std::size_t s = 0; s < kept.size(); ++s)
-    hair.fileFirst.push_back(character.points > 0 ? plan.first[s] : file.strands.first[kept[s]]);
+  hair.strands = std::move(loaded.file.strands);
+  hair.fileStrand = std::move(loaded.strandOf);
+  hair.fileFirst = std::move(loaded.firstOf);
   return hair;
 }
 

@@ -8,93 +8,104 @@
 #include <vector>
 
 #include <libhair/files/strand_file.h>
+#include <libhair/files/usda/usda_curves.h>
+#include <libhair/files/usda/usda_layer.h>
 #include <libhair/files/usda/usda_scanner.h>
 
 namespace hair {
 
-/// Strands in USD's text format, as a prim of the schema UsdGeomBasisCurves
+/// Strands in USD's text format, as prims of the schema UsdGeomBasisCurves
 /// (openusd.org/release/api/class_usd_geom_basis_curves.html and the pages named here):
 ///
-///   type "linear", wrap "nonperiodic"   BasisCurves: straight between vertices, not closed; the
-///                                       schema's fallback for `type` is "cubic", so it is written
+///   type, basis, wrap                   BasisCurves: linear or cubic (bezier, bspline,
+///   catmullRom),
+///                                       nonperiodic, periodic or pinned; the fallbacks are cubic,
+///                                       bezier, nonperiodic. Written: linear, nonperiodic
 ///   curveVertexCounts                   UsdGeomCurves: vertices of each curve, at least 2
-///   points                              UsdGeomPointBased, point3f[]; animated by timeSamples
-///   widths                              UsdGeomCurves: diameters; interpolation vertex or constant
-///   primvars:displayColor               UsdGeomGprim, linear RGB; vertex or constant
-///   primvars:displayOpacity             UsdGeomGprim, 1 - transparency; vertex or constant
+///   points                              UsdGeomPointBased, point3f[]; animated by timeSamples,
+///                                       linear between them
+///   widths                              UsdGeomCurves: diameters
+///   primvars:displayColor               UsdGeomGprim, linear RGB; also of a prim above
+///   primvars:displayOpacity             UsdGeomGprim, 1 - transparency; also of a prim above
+///                                       these three: constant, uniform, varying or vertex, also
+///                                       with indices; held from sample to sample
+///   xformOpOrder, xformOp:...           UsdGeomXformable, of the curves and above (usda_transform)
+///   visibility, active                  invisible or inactive curves are left out
 ///   extent                              UsdGeomBoundable: corners of all points, with half the
-///                                       largest width around them; animated with the points
+///                                       largest width around them; written, animated with the
+///                                       points
 ///   metersPerUnit, upAxis               UsdGeom stage metrics; fallbacks 0.01 and "Y". "Z" is read
 ///                                       as +Z up, -Y face
 ///   startTimeCode, endTimeCode,         UsdStage
 ///   timeCodesPerSecond, framesPerSecond
 
-/// Locates the attributes of a file's BasisCurves prim in one pass; then reads any frame. Memory:
-/// an offset a frame, and one block of the file. Skips other prims, relationships, dictionaries,
-/// variants and references. Throws Error (file,
-/// line, cause): binary files (.usdc), cubic or periodic curves, transforms, indexed primvars and a
-/// second BasisCurves are refused.
+/// Locates what a file's BasisCurves consist of in one pass; then reads any frame. All of them are
+/// joined, in the order of the file. Memory: an offset a sample, and one block of the file. Throws
+/// Error (file, line, cause): binary files (.usdc) are refused.
 class UsdaReader {
  public:
-  /// `stream` must outlive the reader; `name` names the file in messages.
-  UsdaReader(std::istream& stream, std::string_view name);
+  /// `stream` must outlive the reader; `name` names the file in messages. `prim`: a path or a name,
+  /// of curves or of a prim above them; empty: all curves.
+  UsdaReader(std::istream& stream, std::string_view name, std::string_view prim = {});
+  UsdaReader(const UsdaReader&) = delete;
+  UsdaReader& operator=(const UsdaReader&) = delete;
 
-  /// Samples of points; 1 where they are not animated.
+  /// Times at which points or transforms have samples; 1 where nothing is animated.
   std::size_t frameCount() const;
   /// Of a frame, seconds from startTimeCode.
   double seconds(std::size_t frame) const;
-  /// Of a frame; 0 where points are not animated.
+  /// Of a frame; 0 where nothing is animated.
   double timeCode(std::size_t frame) const;
-  /// 0 where points are not animated.
+  /// 0 where nothing is animated.
   double codesPerSecond() const;
-  /// In the file's units; `scale` and `up` are what the file states. Other animated arrays are held
-  /// from sample to sample.
+  /// In the file's units; `scale` and `up` are what the file states.
   void read(std::size_t frame, StrandFile& out);
 
  private:
-  struct Sample {
-    double time;
-    UsdaScanner::Place place;
+  using Attribute = UsdaLayer::Attribute;
+
+  // A primvar, and the attribute of its indices, if it has some.
+  struct Primvar {
+    const Attribute* values = nullptr;
+    const Attribute* indices = nullptr;
   };
-  struct Attribute {
-    std::vector<Sample> samples;  // in the order of time; one at any time where not animated
-    std::string interpolation;    // empty: not stated
-    bool animated = false;
+  struct Curves {
+    std::size_t prim;
+    std::string path;
+    UsdaCurveKind kind;
+    const Attribute *counts, *points;
+    Primvar widths, colours, opacity;
   };
-  struct Prim {
-    std::string name;
-    bool curves = false, holdsCurves = false, transformed = false;
+  // The curves of a prim in a frame, and where their strands come from.
+  struct Shape {
+    std::vector<std::uint32_t> first = {0}, firstVarying = {0};  // of the file's vertices
+    std::vector<UsdaCurvePoint> points;  // of all strands; empty: the vertices themselves
+    std::vector<std::uint32_t> curveOf;  // of points
   };
 
-  void readLayer();
-  void readLayerMetadata();
-  void beginPrim(const std::string& specifier);
-  void endPrim();
-  void readProperty(const std::string& firstWord);
-  void readValue(const std::string& name, Attribute* attribute);
-  void readSamples(Attribute* attribute);
-  template <class Take>
-  void readMetadata(Take&& take);
-  Attribute* attributeOf(const std::string& name);
-  void checkCurves();
-  bool goToSample(const Attribute& attribute, double time);
+  void findCurves(std::string_view wanted);
+  void addCurves(std::size_t prim);
+  bool isHidden(std::size_t prim) const;
+  Primvar primvarOf(std::size_t prim, std::string_view name) const;
+  void readCurves(const Curves& curves, double time, StrandFile& out);
+  void readPoints(const Curves& curves, double time, std::vector<glm::vec3>& points);
+  Shape shapeOf(const Curves& curves, const StrandSet& vertices) const;
+  void goTo(const Attribute& attribute, double time);
+  glm::vec3 vec3(std::string_view what);
   template <class Item>
   void readArray(std::string_view what, Item&& item);
-  template <class T>
-  void spread(const Attribute& attribute, std::string_view what, const StrandSet& strands,
-              std::vector<T>& items, T& constant);
+  template <class T, class Item>
+  void readPrimvar(const Primvar& primvar, std::string_view what, double time, const Shape& shape,
+                   std::vector<T>& items, T& constant, Item&& item);
 
   UsdaScanner in_;
-  std::vector<Prim> prims_;  // that are open
-  Attribute counts_, points_, widths_, colours_, opacity_;
-  std::string type_ = "cubic", wrap_ = "nonperiodic";  // the schema's fallbacks
-  std::string curvesName_;                             // empty: none so far
-  float metersPerUnit_ = 0.01f;
-  UpAxis up_ = UpAxis::Y;
-  double start_ = 0, statedCodes_ = 0, statedFrames_ = 0;  // a second; 0: not stated
+  UsdaLayer layer_;
+  std::vector<Curves> curves_;
+  std::vector<double> times_;  // of frames; empty: nothing is animated
+  StrandFile part_;            // used again by every prim and frame
 };
 
 /// One frame: readStrands takes the first.
-StrandFile readUsda(const std::filesystem::path& file);
+StrandFile readUsda(const std::filesystem::path& file, const ReadOptions& options);
 
 }  // namespace hair
