@@ -24,6 +24,8 @@ void addInfo(CLI::App& app, Run& run) {
           "strands (.hair, .tfx, .data, .ply, .obj, .usda), a mesh (.obj) or a motion (.bvh)")
       ->required();
   addReadOptions(*command, options->read);
+  addMotionReadOptions(*command, options->clip);
+  command->add_flag("--verbose", options->verbose, "say each repair of a motion by itself");
   command->footer(
       "Examples:\n"
       "  hair info straight.hair\n"
