@@ -89,11 +89,12 @@ class StanceOfRig {
     return children;
   }
 
-  /// Along the bones that leave a joint, to tip and children: their sum, zero where none.
+  /// Along the bones that leave a joint, to tip and children: their sum, zero where there are none
+  /// worth the name.
   glm::vec3 bonesOf(int joint) const {
     glm::vec3 sum = skeleton_.tips[index(joint)];
     for (int c : childrenOf(joint)) sum += offset(c);
-    return sum;
+    return glm::length(sum) > 0.05f * glm::length(offset(joint)) ? sum : glm::vec3(0);
   }
 
   /// Mean over the clip of a world direction, in the joint's frame.
@@ -248,12 +249,24 @@ class StanceOfRig {
       const glm::vec3 toes = turn * bone;
       return toes.z > 0.5f && std::abs(toes.x) < 0.6f && toes.y < 0.3f;
     };
-    const bool asShin = (above * meanOf(kUp, shin, foot)).y > 0.7f;
-    if (bone == glm::vec3(0) || (leadsOn(above) && asShin)) return above;
-    // Right angles; unless an axis is the bone's, which slopes.
+    const glm::vec3 up = meanOf(kUp, shin, foot);
+    if (bone == glm::vec3(0) || (leadsOn(above) && (above * up).y > 0.3f)) return above;
+    // Right angles, of those that lead on the nearest; unless an axis is the bone's, which slopes.
+    const glm::vec3 left = meanOf(kLeft, shin, foot);
     const glm::vec3 most = glm::abs(bone);
-    const glm::quat squared = squaredTo(shin, foot);
-    if (std::max({most.x, most.y, most.z}) < 0.9995f && leadsOn(squared)) return squared;
+    std::optional<glm::quat> squared;
+    float nearest = 0.3f;
+    for (int axis = 0; axis < 6; ++axis) {
+      glm::vec3 axisUp(0);
+      axisUp[axis / 2] = axis % 2 == 0 ? 1.0f : -1.0f;
+      const glm::vec3 axisLeft = snapped(beside(left, axisUp), 40.0f);
+      const glm::quat turn =
+          glm::conjugate(rotationFromUpFront(axisUp, glm::cross(axisLeft, axisUp)));
+      if (glm::dot(axisUp, up) < nearest || !leadsOn(turn)) continue;
+      nearest = glm::dot(axisUp, up);
+      squared = turn;
+    }
+    if (squared && std::max({most.x, most.y, most.z}) < 0.9995f) return *squared;
     // How far toes point down is seen from the shin, within what an ankle does in standing.
     float cosine = 0;
     for (const std::vector<RigidTransform>& pose : poses_)
@@ -261,7 +274,7 @@ class StanceOfRig {
                          pose[index(foot)].rotation * bone);
     const float dip = std::clamp(cosine / static_cast<float>(poses_.size()), 0.0f, 0.5f);
     const glm::vec3 toes(0, -dip, std::sqrt(1 - dip * dip));
-    glm::vec3 hinge = beside(meanOf(kLeft, shin, foot), bone);
+    glm::vec3 hinge = beside(left, bone);
     if (glm::length(hinge) < 1e-4f) hinge = anyNormal(bone);
     return glm::normalize(rotationFromUpFront(toes, kLeft) *
                           glm::conjugate(rotationFromUpFront(bone, hinge)));

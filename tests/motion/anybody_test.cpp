@@ -32,7 +32,7 @@ glm::dvec3 turnedAboutUp(glm::dvec3 p, double angle) {
 
 /// How far a motion is from what the generator meant, up to a turn about the vertical.
 struct Off {
-  double metres = 0, headDegrees = 0;
+  double metres = 0, headDegrees = 0, limbDegrees = 0;
 };
 
 Off offOf(const Motion& motion, const Spelling& s, double scale) {
@@ -64,6 +64,20 @@ Off offOf(const Motion& motion, const Spelling& s, double scale) {
             off.metres,
             glm::distance(at(part),
                           turnedAboutUp(scale * want.places[static_cast<std::size_t>(part)], yaw)));
+    for (int part = test::kLeftShoulder; part < test::kParts; ++part) {
+      // How each part of the body is turned from its rest stance, a T.
+      const int j = jointOf[static_cast<std::size_t>(part)];
+      if (part == test::kRightCollar || j < 0) continue;
+      const glm::quat turn =
+          got.worldFromJoint[static_cast<std::size_t>(j)].rotation *
+          glm::conjugate(motion.body().rest[static_cast<std::size_t>(j)].rotation);
+      for (const glm::vec3 axis : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)})
+        off.limbDegrees = std::max(
+            off.limbDegrees,
+            degreesApart(
+                glm::dvec3(turn * axis),
+                turnedAboutUp(want.turns[static_cast<std::size_t>(part)] * glm::dvec3(axis), yaw)));
+    }
     const glm::dvec3 up(got.worldFromHead.vector({0, 1, 0})),
         front(got.worldFromHead.vector({0, 0, 1}));
     off.headDegrees = std::max({off.headDegrees, degreesApart(up, turnedAboutUp(want.headUp, yaw)),
@@ -107,6 +121,10 @@ void expectTheSamePerson(const Spelling& s) {
     const Off off = offOf(motion, s, known ? 1.0 : 1.7 / test::kStature);
     EXPECT_LT(off.metres, known ? 1e-4 : 0.01);
     EXPECT_LT(off.headDegrees, 3.0);
+    // Where the zero pose stands with its arms down, that is the rest stance.
+    if (s.rig != Rig::A && s.rig != Rig::ArmsDown) {
+      EXPECT_LT(off.limbDegrees, 3.0);
+    }
     EXPECT_EQ(motion.notes().front(), "person " + motion.person());
   } catch (const Error& error) {
     ADD_FAILURE() << error.what();

@@ -378,6 +378,7 @@ PersonPose poseOf(Act act, int frame) {
     pose.places.push_back(bone.parent < 0 ? locals.root
                                           : pose.places[above] + turn[above] * bone.offset);
   }
+  pose.turns.assign(turn.begin(), turn.end());
   pose.headUp = turn[kHead] * kY;
   pose.headFront = turn[kHead] * kZ;
   return pose;

@@ -68,6 +68,7 @@ inline constexpr int kTellingNames = 14;
 /// The person in one frame, by plain forward kinematics in double precision: metres, +Y up.
 struct PersonPose {
   std::vector<glm::dvec3> places;  ///< [kParts]
+  std::vector<glm::dquat> turns;   ///< [kParts], from the T pose
   glm::dvec3 headUp, headFront;    ///< unit
 };
 
