@@ -10,23 +10,25 @@
 namespace hair {
 namespace {
 
-std::size_t depthOf(const Skeleton& skeleton, std::size_t joint) {
-  std::size_t depth = 0;
-  for (int j = static_cast<int>(joint); j >= 0; j = skeleton.parents[static_cast<std::size_t>(j)])
-    ++depth;
+/// How far each joint is from its root.
+std::vector<std::size_t> depths(const Skeleton& skeleton) {
+  std::vector<std::size_t> depth(skeleton.jointCount(), 0);
+  for (std::size_t j = 0; j < depth.size(); ++j)
+    if (skeleton.parents[j] >= 0)
+      depth[j] = depth[static_cast<std::size_t>(skeleton.parents[j])] + 1;
   return depth;
 }
 
 /// The joint whose name is most like a part's; of two alike that which is nearer the root.
-int findNamed(const Skeleton& skeleton, std::span<const JointName> names, NamedPart part,
-              int side) {
+int findNamed(std::span<const std::size_t> depthOf, std::span<const JointName> names,
+              NamedPart part, int side) {
   int best = -1, bestLikeness = 0;
   std::size_t bestDepth = 0;
   for (std::size_t j = 0; j < names.size(); ++j) {
     if (names[j].side != side) continue;
     const int like = likeness(names[j], part);
     if (like == 0) continue;
-    const std::size_t depth = depthOf(skeleton, j);
+    const std::size_t depth = depthOf[j];
     // L_Hand below L_Wrist: the wrist moves the hand. Of heads the name that is most like one.
     const int rank = part == NamedPart::Head ? like : std::min(like, 2);
     if (best >= 0 && (rank < bestLikeness || (rank == bestLikeness && depth >= bestDepth)))
@@ -53,10 +55,11 @@ int findCalled(const Skeleton& skeleton, std::string_view name) {
 
 BodyMap mapByNames(const Skeleton& skeleton, std::span<const JointName> names) {
   BodyMap map;
-  map.head = findNamed(skeleton, names, NamedPart::Head, -1);
+  const std::vector<std::size_t> depth = depths(skeleton);
+  map.head = findNamed(depth, names, NamedPart::Head, -1);
   for (std::size_t s = 0; s < 2; ++s) {
-    map.hand[s] = findNamed(skeleton, names, NamedPart::Hand, static_cast<int>(s));
-    map.foot[s] = findNamed(skeleton, names, NamedPart::Foot, static_cast<int>(s));
+    map.hand[s] = findNamed(depth, names, NamedPart::Hand, static_cast<int>(s));
+    map.foot[s] = findNamed(depth, names, NamedPart::Foot, static_cast<int>(s));
   }
   mapBetween(skeleton, names, map);
   return map;

@@ -52,10 +52,11 @@ class Structure {
       reach_[j] = std::max(reach_[j], glm::length(skeleton_.tips[j]));
       const int parent = skeleton_.parents[j];
       if (parent < 0) continue;
-      children_[index(parent)].insert(children_[index(parent)].begin(), static_cast<int>(j));
+      children_[index(parent)].push_back(static_cast<int>(j));
       reach_[index(parent)] =
           std::max(reach_[index(parent)], bone(static_cast<int>(j)) + reach_[j]);
     }
+    for (std::vector<int>& siblings : children_) std::reverse(siblings.begin(), siblings.end());
   }
 
   BodyMap find() {
@@ -266,6 +267,8 @@ float boneLength(const Skeleton& skeleton, int from, int to) {
 }
 
 BodyMap mapByStructure(const Clip& clip, std::span<const JointName> names) {
+  constexpr std::size_t kMostJoints = 2000;  // of a person, hair and cloth included
+  if (clip.skeleton.jointCount() > kMostJoints) return {};
   return Structure(clip, names).find();
 }
 
