@@ -107,16 +107,11 @@ namespace {
 Motion makeMotion(const CharacterOptions& options, std::vector<std::string>& notes) {
   if (options.still) return Motion::still();
   if (options.motion.empty()) return Motion::dance();
-  Motion motion(clipFromBvh(readBvh(options.motion), options.motionScale));
-  const auto& joints = motion.clip().skeleton.names;
-  if (motion.droppedFrames() > 0)
-    notes.push_back(text(options.motion.filename().string(), ": dropped ", motion.droppedFrames(),
-                         " frames of a calibration pose at the start"));
-  for (const Flip& flip : motion.flips())
-    notes.push_back(text(options.motion.filename().string(), ": ", joints[flip.joint], " flips by ",
-                         flip.degrees, " degrees at frame ", flip.frame, "; ", flip.frames,
-                         flip.frames == 1 ? " frame" : " frames", " interpolated"));
-  for (const std::string& note : motion.notes()) notes.push_back(note);
+  Motion motion(readBvh(options.motion), options.clip);
+  const std::string file = options.motion.filename().string() + ": ";
+  for (const std::string& note : motion.notes()) notes.push_back(file + note);
+  if (options.verbose)
+    for (const std::string& detail : motion.details()) notes.push_back(file + detail);
   return motion;
 }
 

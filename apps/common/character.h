@@ -28,7 +28,8 @@ struct CharacterOptions {
   bool still = false;            ///< --still: nobody moves
   ReadOptions read;              ///< --scale, --up: of the hair file and the head files
   ReadOptions headRead;          ///< --head-scale, --head-up: where the head files differ
-  float motionScale = 0.01f;     ///< --motion-scale: metres per unit of the clip
+  MotionSettings clip;           ///< --motion-scale, --motion-up, --head-joint: of that file
+  bool verbose = false;          ///< --verbose: notes in detail
   std::uint32_t strands = 0;     ///< --strands; 0: the style's, or all of the file's
   std::uint32_t points = 0;      ///< --points a strand; 0: the style's, or the file's
   std::uint32_t guides = 402;    ///< --guides, of a loaded groom

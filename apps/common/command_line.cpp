@@ -101,6 +101,31 @@ void addUpOption(CLI::App& command, const std::string& name, UpAxis& up, const s
       ->type_name("AXIS");
 }
 
+void addMotionReadOptions(CLI::App& command, MotionSettings& clip) {
+  command
+      .add_option("--motion-scale", clip.scale,
+                  "metres per unit of the clip; default: what makes a person of it")
+      ->check(within(1e-9, 1e9));
+  command
+      .add_option_function<std::string>(
+          "--motion-up",
+          [&clip](const std::string& text) {
+            try {
+              clip.up = clipUpFromText(text);
+            } catch (const Error& e) {
+              throw CLI::ValidationError("--motion-up", e.what());
+            }
+          },
+          "axis of the clip that points up: y, z, x, y-down, z-down or x-down; default: along "
+          "which "
+          "the body stands")
+      ->type_name("AXIS");
+  command
+      .add_option("--head-joint", clip.headJoint,
+                  "joint of the clip that the head turns on; default: by its name or place")
+      ->type_name("NAME");
+}
+
 void addReadOptions(CLI::App& command, ReadOptions& read) {
   command
       .add_option(
@@ -159,10 +184,8 @@ void addCharacterOptions(CLI::App& command, CharacterOptions& character) {
       "axis of the head files that points up; default: as the hair's, or y where that fits");
   command.add_option("--motion", character.motion,
                      "motion capture, .bvh; default: the built-in dance");
-  command
-      .add_option("--motion-scale", character.motionScale,
-                  "metres per unit of the clip; default 0.01")
-      ->check(within(1e-9, 1e9));
+  addMotionReadOptions(command, character.clip);
+  command.add_flag("--verbose", character.verbose, "list each repair of the motion");
   command.add_flag("--still", character.still, "no motion: the body stands still");
   command
       .add_option("--guides", character.guides, "simulated strands of a loaded groom; default 402")

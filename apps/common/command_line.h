@@ -31,10 +31,14 @@ void addUpOption(CLI::App& command, const std::string& name, UpAxis& up, const s
 /// --scale, --up
 void addReadOptions(CLI::App& command, ReadOptions& read);
 
+/// --motion-scale, --motion-up, --head-joint
+void addMotionReadOptions(CLI::App& command, MotionSettings& clip);
+
 /// --style, --hair, --strands, --points, --scale, --up
 void addHairOptions(CLI::App& command, CharacterOptions& character);
 
-/// Those and --head, --motion, --motion-scale, --still, --guides
+/// Those and --head, --motion, --motion-scale, --motion-up, --head-joint, --verbose, --still,
+/// --guides
 void addCharacterOptions(CLI::App& command, CharacterOptions& character);
 
 /// --fps, --cells, --light, --point, --wind, --no-shadow, --no-self-collision,

@@ -25,6 +25,8 @@ namespace hair {
 struct InfoOptions {
   std::filesystem::path file;  ///< strands of any format, a mesh (.obj) or a motion (.bvh)
   ReadOptions read;
+  MotionSettings clip;   ///< of a motion
+  bool verbose = false;  ///< notes of a motion in detail
 };
 void runInfo(const InfoOptions& options);
 

@@ -8,7 +8,9 @@
 #include <libhair/files/bvh_file.h>
 #include <libhair/files/obj.h>
 #include <libhair/files/strand_sequence.h>
+#include <libhair/files/text_reader.h>
 #include <libhair/model/head.h>
+#include <libhair/motion/motion.h>
 #include <libhair/wisps/load_groom.h>
 
 namespace hair {
@@ -94,7 +96,7 @@ void printMotion(const InfoOptions& options) {
   const Bvh bvh = readBvh(options.file);
   const auto frames = static_cast<double>(bvh.frameCount());
   row("file") << options.file.string() << '\n';
-  row("format") << ".bvh: units of the file (mostly centimetres and degrees)\n";
+  row("format") << ".bvh\n";
   row("frames") << bvh.frameCount() << ", " << 1 / bvh.frameTime << " a second, "
                 << frames * bvh.frameTime << " s\n";
   row("channels") << bvh.channelCount << '\n';
@@ -105,6 +107,16 @@ void printMotion(const InfoOptions& options) {
     if (!joint.endSite)
       std::cout << std::string(static_cast<std::size_t>(2 * depth.back() + 2), ' ') << joint.name
                 << '\n';
+  }
+  try {
+    const Motion motion(bvh, options.clip);
+    row("person") << motion.person() << '\n';
+    const std::vector<std::string> notes = motion.notes();
+    for (std::size_t i = 1; i < notes.size(); ++i) row("note") << notes[i] << '\n';
+    if (options.verbose)
+      for (const std::string& detail : motion.details()) row("detail") << detail << '\n';
+  } catch (const Error& error) {  // the file is one all the same
+    row("person") << "none: " << error.what() << '\n';
   }
 }
 

@@ -25,6 +25,8 @@ void addInfo(CLI::App& app, Run& run) {
                    "(.obj) or a motion (.bvh)")
       ->required();
   addReadOptions(*command, options->read);
+  addMotionReadOptions(*command, options->clip);
+  command->add_flag("--verbose", options->verbose, "say each repair of a motion by itself");
   command->footer(
       "Examples:\n"
       "  hair info straight.hair\n"

@@ -59,6 +59,7 @@ class Range {
     return (closedBelow_ ? number >= least : number > least) &&
            (closedAbove_ ? number <= most : number < most);
   }
+  /// Whether its length or, with "each", every component is in it.
   bool holds(glm::vec3 v) const {
     return each_ ? holds(v.x) && holds(v.y) && holds(v.z) : holds(glm::length(v));
   }
@@ -120,25 +121,29 @@ class Range {
 /// A field of the settings S: its name in C++, its member, its range (numbers and vectors).
 template <class S, class M>
 struct Field {
+  /// A row of a table.
   constexpr Field(std::string_view name_, M S::* member_, Range range_ = {})
       : name(name_), member(member_), range(range_) {}
 
-  std::string_view name;
-  M S::* member;
-  Range range;
+  std::string_view name;  ///< in C++
+  M S::* member;          ///< of S, or of what S is derived from
+  Range range;            ///< of numbers and vectors
 };
 
 /// The word for a value of an enumeration.
 template <class E>
 struct Word {
+  /// A row of a table.
   constexpr Word(std::string_view word_, E value_) : word(word_), value(value_) {}
 
-  std::string_view word;
-  E value;
+  std::string_view word;  ///< on command lines and in Python
+  E value;                ///< what it means
 };
 
+/// An enumeration with a table of words.
 template <class E>
 concept HasWords = std::is_enum_v<E> && requires { wordsOf(E{}); };
+/// Settings with a table of fields.
 template <class S>
 concept HasFields = requires(const S* settings) { fieldsOf(settings); };
 

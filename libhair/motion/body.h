@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <libhair/core/transform.h>
@@ -54,12 +55,21 @@ struct Body {
   std::vector<std::string> notes;     ///< what had to be guessed, for the user
 };
 
-/// Joints by name, case-insensitive, in the common conventions (LeftArm, lShldr, L_Arm, arm.L ...):
-/// hands, feet and head by name, the rest by what hangs on what.
+/// Joints by name, in any convention (LeftArm, lShldr, mixamorig:LeftArm, Bip01 L UpperArm, arm.L
+/// ...): hands, feet and head by name, the rest by what hangs on what.
 BodyMap mapBody(const Skeleton& skeleton);
 
-/// Learns the body from a clip: where the zero pose of the skeleton is no T, which way each joint
-/// faces is the average over the clip. Throws Error where there is no joint that may be a head.
-Body makeBody(const Clip& clip);
+/// The same, and all by what hangs on what where names do not tell. `headJoint`: the name of the
+/// joint that the head turns on; empty: found. Throws Error with the joints there are where none is
+/// called so.
+BodyMap mapBody(const Clip& clip, std::string_view headJoint);
+
+/// The names of the joints, for a message.
+std::string jointList(const Skeleton& skeleton);
+
+/// The body of a clip in metres, +Y up. Where its zero pose stands, which way each joint faces is
+/// told by that; else by the bones (rest_stance.h). `headJoint` as mapBody has it. Throws Error
+/// where there is no joint that may be a head.
+Body makeBody(const Clip& clip, std::string_view headJoint = {});
 
 }  // namespace hair

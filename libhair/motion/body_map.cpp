@@ -1,77 +1,68 @@
 #include <algorithm>
 #include <cctype>
-#include <string_view>
+#include <utility>
 
+#include <libhair/core/error.h>
 #include <libhair/motion/body.h>
+#include <libhair/motion/joint_names.h>
+#include <libhair/motion/rig_structure.h>
 
 namespace hair {
 namespace {
 
-/// A joint's name without case, rig prefix, punctuation and side.
-struct PlainName {
-  std::string part;
-  int side = -1;  ///< 0 left, 1 right, -1 neither
-};
+/// How far each joint is from its root.
+std::vector<std::size_t> depths(const Skeleton& skeleton) {
+  std::vector<std::size_t> depth(skeleton.jointCount(), 0);
+  for (std::size_t j = 0; j < depth.size(); ++j)
+    if (skeleton.parents[j] >= 0)
+      depth[j] = depth[static_cast<std::size_t>(skeleton.parents[j])] + 1;
+  return depth;
+}
 
-PlainName plainName(std::string_view name) {
-  if (const auto colon = name.rfind(':'); colon != std::string_view::npos)
-    name.remove_prefix(colon + 1);
-  const auto upper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
-  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  PlainName plain;
-  for (char c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)))
-      plain.part += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto cut = [&](std::size_t begin, std::size_t count, int side) {
-    plain.part.erase(begin, count);
-    plain.side = side;
-  };
-  if (plain.part.starts_with("left")) {
-    cut(0, 4, 0);
-  } else if (plain.part.starts_with("right")) {
-    cut(0, 5, 1);
-  } else if (plain.part.ends_with("left")) {
-    cut(plain.part.size() - 4, 4, 0);
-  } else if (plain.part.ends_with("right")) {
-    cut(plain.part.size() - 5, 5, 1);
-  } else if (name.size() > 1) {
-    // One letter: lShldr, LHipJoint, L_Hand, hand.L, Hand_R
-    const char first = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
-    const char last = static_cast<char>(std::tolower(static_cast<unsigned char>(name.back())));
-    const auto sided = [](char c) { return c == 'l' || c == 'r'; };
-    if (sided(first) && (upper(name[1]) || !letter(name[1])))
-      cut(0, 1, first == 'l' ? 0 : 1);
-    else if (sided(last) && !letter(name[name.size() - 2]))
-      cut(plain.part.size() - 1, 1, last == 'l' ? 0 : 1);
+/// The joint whose name is most like a part's; of two alike that which is nearer the root.
+int findNamed(std::span<const std::size_t> depthOf, std::span<const JointName> names,
+              NamedPart part, int side) {
+  int best = -1, bestLikeness = 0;
+  std::size_t bestDepth = 0;
+  for (std::size_t j = 0; j < names.size(); ++j) {
+    if (names[j].side != side) continue;
+    const int like = likeness(names[j], part);
+    if (like == 0) continue;
+    const std::size_t depth = depthOf[j];
+    // L_Hand below L_Wrist: the wrist moves the hand. Of heads the name that is most like one.
+    const int rank = part == NamedPart::Head ? like : std::min(like, 2);
+    if (best >= 0 && (rank < bestLikeness || (rank == bestLikeness && depth >= bestDepth)))
+      continue;
+    bestLikeness = rank;
+    best = static_cast<int>(j);
+    bestDepth = depth;
   }
-  return plain;
+  return best;
 }
 
-/// First joint whose plain name is one of `names`, tried in their order.
-int find(const std::vector<PlainName>& joints, std::initializer_list<std::string_view> names,
-         int side) {
-  for (std::string_view name : names)
-    for (std::size_t j = 0; j < joints.size(); ++j)
-      if (joints[j].side == side && joints[j].part == name) return static_cast<int>(j);
+int findCalled(const Skeleton& skeleton, std::string_view name) {
+  for (const bool exact : {true, false})
+    for (std::size_t j = 0; j < skeleton.names.size(); ++j) {
+      const std::string& own = skeleton.names[j];
+      const bool same = std::equal(own.begin(), own.end(), name.begin(), name.end(),
+                                   [&](unsigned char a, unsigned char b) {
+                                     return exact ? a == b : std::tolower(a) == std::tolower(b);
+                                   });
+      if (same) return static_cast<int>(j);
+    }
   return -1;
 }
 
-int parentOf(const Skeleton& skeleton, int joint) {
-  return joint < 0 ? -1 : skeleton.parents[static_cast<std::size_t>(joint)];
-}
-
-/// From a joint up to its root, itself first.
-std::vector<int> ancestry(const Skeleton& skeleton, int joint) {
-  std::vector<int> path;
-  for (; joint >= 0; joint = parentOf(skeleton, joint)) path.push_back(joint);
-  return path;
-}
-
-int deepestCommon(const Skeleton& skeleton, int a, int b) {
-  const std::vector<int> pathA = ancestry(skeleton, a), pathB = ancestry(skeleton, b);
-  for (int j : pathA)
-    if (std::find(pathB.begin(), pathB.end(), j) != pathB.end()) return j;
-  return -1;
+BodyMap mapByNames(const Skeleton& skeleton, std::span<const JointName> names) {
+  BodyMap map;
+  const std::vector<std::size_t> depth = depths(skeleton);
+  map.head = findNamed(depth, names, NamedPart::Head, -1);
+  for (std::size_t s = 0; s < 2; ++s) {
+    map.hand[s] = findNamed(depth, names, NamedPart::Hand, static_cast<int>(s));
+    map.foot[s] = findNamed(depth, names, NamedPart::Foot, static_cast<int>(s));
+  }
+  mapBetween(skeleton, names, map);
+  return map;
 }
 
 }  // namespace
@@ -82,38 +73,42 @@ bool BodyMap::complete() const {
          both(hand) && both(thigh) && both(shin) && both(foot);
 }
 
+std::string jointList(const Skeleton& skeleton) {
+  constexpr std::size_t kMost = 60;
+  std::string list;
+  for (std::size_t j = 0; j < std::min(kMost, skeleton.names.size()); ++j)
+    list += (j ? ", " : "") + skeleton.names[j];
+  if (skeleton.names.size() > kMost) list += text(" and ", skeleton.names.size() - kMost, " more");
+  return list;
+}
+
 BodyMap mapBody(const Skeleton& skeleton) {
-  std::vector<PlainName> names;
-  names.reserve(skeleton.names.size());
-  for (const std::string& name : skeleton.names) names.push_back(plainName(name));
+  return mapByNames(skeleton, jointNames(skeleton.names));
+}
 
-  BodyMap map;
-  map.head = find(names, {"head", "skull"}, -1);
-  for (std::size_t s = 0; s < 2; ++s) {
-    const int side = static_cast<int>(s);
-    map.hand[s] = find(names, {"hand", "wrist"}, side);
-    map.foot[s] = find(names, {"foot", "ankle"}, side);
-    map.foreArm[s] = parentOf(skeleton, map.hand[s]);
-    map.upperArm[s] = parentOf(skeleton, map.foreArm[s]);
-    map.shin[s] = parentOf(skeleton, map.foot[s]);
-    map.thigh[s] = parentOf(skeleton, map.shin[s]);
+BodyMap mapBody(const Clip& clip, std::string_view headJoint) {
+  const Skeleton& skeleton = clip.skeleton;
+  const std::vector<JointName> names = jointNames(skeleton.names);
+  const int head = headJoint.empty() ? -1 : findCalled(skeleton, headJoint);
+  require(headJoint.empty() || head >= 0, "body: no joint is called ", headJoint,
+          " (--head-joint); there are ", jointList(skeleton));
+  BodyMap map = mapByNames(skeleton, names);
+  if (head >= 0) {
+    map.head = head;
+    mapBetween(skeleton, names, map);
   }
-  map.hips = deepestCommon(skeleton, map.thigh[0], map.thigh[1]);
-  map.chest = deepestCommon(skeleton, map.upperArm[0], map.upperArm[1]);
-  if (map.chest < 0) map.chest = map.hips;
-  for (std::size_t s = 0; s < 2; ++s) {
-    const int above = parentOf(skeleton, map.upperArm[s]);
-    if (above != map.chest) map.collar[s] = above;
+  if (mayBePerson(skeleton, map)) return map;
+  BodyMap found = mapByStructure(clip, names);
+  if (found.complete() && map.head >= 0) {
+    // A name says more than a place.
+    const int byPlace = std::exchange(found.head, map.head);
+    mapBetween(skeleton, names, found);
+    if (!mayBePerson(skeleton, found) && head < 0) {
+      found.head = byPlace;
+      mapBetween(skeleton, names, found);
+    }
   }
-
-  // Between chest and head: the neck is the joint next above the chest.
-  for (int j : ancestry(skeleton, parentOf(skeleton, map.head))) {
-    if (j == map.chest || j == map.hips) break;
-    map.neck = j;
-  }
-  for (int j = map.chest; j >= 0 && j != map.hips; j = parentOf(skeleton, j))
-    map.spine.insert(map.spine.begin(), j);
-  return map;
+  return mayBePerson(skeleton, found) ? found : map;
 }
 
 }  // namespace hair

@@ -42,16 +42,24 @@ using Tube = std::vector<RoundCone>;
 /// Tubes joined by smooth unions.
 using Flesh = std::vector<Tube>;
 
+constexpr float kMostCells = 4e5f, kMostCellsAlong = 1000;
+
 TriangleMesh surfaceOf(const Flesh& flesh, float k, float cell) {
   Bounds box;
   for (const Tube& tube : flesh)
     for (const RoundCone& cone : tube) {
-      const float r = std::max(cone.ra, cone.rb) + 0.5f * k + 2.0f * cell;
+      const float r = std::max(cone.ra, cone.rb) + 0.5f * k;
       for (const glm::vec3 p : {cone.a, cone.b}) {
         box.extend(p - r);
         box.extend(p + r);
       }
     }
+  // Bodies of any size and proportions are as much work as a person's, in coarser cells.
+  const glm::vec3 size = box.upper - box.lower;
+  cell = std::max({cell, std::cbrt(size.x * size.y * size.z / kMostCells),
+                   std::max({size.x, size.y, size.z}) / kMostCellsAlong});
+  box.lower -= 2.0f * cell;
+  box.upper += 2.0f * cell;
   return surfaceNets(
       [&](glm::vec3 p) {
         float d = 1e9f;

@@ -19,7 +19,8 @@ struct Body;
 /// understood (BodyMap::complete) gets its capsules, joint by joint.
 class BodyMesh {
  public:
-  /// `cell`: edge of the grid that the surface is cut from, metres; triangles go as 1 / cell².
+  /// `cell`: edge of the grid that the surface is cut from, metres; triangles go as 1 / cell². Of a
+  /// body far larger than a person the grid is coarser, so that it has as many cells at most.
   explicit BodyMesh(const Body& body, float cell = 0.014f);
 
   /// The surface in a pose, worldFromJoint [jointCount]. No allocation where `out` comes from an

@@ -41,6 +41,7 @@ Landmarks landmarksOf(const Body& body) {
   m.size = body.size;
   m.neck = at(map.neck);
   m.head = at(map.head);
+  if (map.neck == map.head) m.neck.y -= 0.09f * m.size;  // a rig without one
   for (std::size_t s = 0; s < 2; ++s) {
     m.shoulder[s] = at(map.upperArm[s]);
     m.elbow[s] = at(map.foreArm[s]);

@@ -5,11 +5,14 @@
 #include <utility>
 
 #include <libhair/core/error.h>
+#include <libhair/files/bvh_file.h>
 #include <libhair/motion/body.h>
 #include <libhair/motion/body_colliders.h>
 #include <libhair/motion/clip_filter.h>
+#include <libhair/motion/clip_units.h>
 #include <libhair/motion/dance.h>
 #include <libhair/motion/head_motion.h>
+#include <libhair/motion/person_frame.h>
 
 namespace hair {
 namespace {
@@ -33,7 +36,7 @@ Motion::Motion(Clip clip, const MotionSettings& settings) {
   clip_ = droppedFrames_ == 0 && last == clip.frameCount() ? std::move(clip)
                                                            : trim(clip, droppedFrames_, last);
   if (settings.removeFlips) flips_ = hair::removeFlips(clip_, settings.flips);
-  body_ = std::make_shared<const Body>(makeBody(clip_));
+  body_ = std::make_shared<const Body>(makeBody(clip_, settings.headJoint));
 
   if (body_->capsules.empty()) return;
   BodyPose at;
@@ -48,6 +51,18 @@ Motion::Motion(Clip clip, const MotionSettings& settings) {
   const auto tenth = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 10);
   std::nth_element(lowest.begin(), tenth, lowest.end());
   floorHeight_ = *tenth;
+}
+
+Motion::Motion(const Bvh& bvh, const MotionSettings& settings) {
+  Clip clip = clipInFileUnits(bvh);
+  const BodyMap map = mapBody(clip, settings.headJoint);
+  Source source{settings.scale, unitOf(clip.skeleton, map), settings.up, bvh.notes};
+  if (!(source.scale > 0)) source.scale = source.recognisedScale;
+  toMetres(clip, source.scale);
+  if (source.up == ClipUp::Recognised) source.up = upOf(clip, map);
+  makeUpright(clip, source.up);
+  *this = Motion(std::move(clip), settings);
+  source_ = std::move(source);
 }
 
 Motion Motion::dance() {
@@ -74,10 +89,6 @@ void Motion::pose(double seconds, BodyPose& out) const {
   out.worldFromHead = worldFromHead(*body_, out.worldFromJoint);
   placeCapsules(*body_, out.worldFromJoint, out.capsules);
   makeRoomForHair(*body_, out.worldFromHead, out.capsules);
-}
-
-std::span<const std::string> Motion::notes() const {
-  return body_->notes;
 }
 
 }  // namespace hair

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -47,10 +50,12 @@ struct Clip {
   }
 };
 
-/// Any order of axes, any channels; position channels stand for the joint's place in its parent and
-/// so replace the offset (as mocap tools write them), on any joint. `scale` turns the file's unit
-/// into metres (most files: centimetres). Throws Error for a clip without joints or frames, and for
-/// joints beyond 1000 km of their parents.
+/// Any order of axes, any channels. Position channels stand for the joint's place in its parent and
+/// so replace the offset (as mocap tools write them), on any joint; below the root they are added
+/// to it where most of them are nearer to zero than to the offset. Bones whose offset is not where
+/// the positions put their joint (many programs leave zeros there) are as long as the positions
+/// say. `scale` turns the file's unit into metres (most files: centimetres). Throws Error for a
+/// clip without joints or frames, and for joints beyond 1000 km of their parents.
 Clip clipFromBvh(const Bvh& bvh, float scale = 0.01f);
 
 /// Forward kinematics of one frame: worldFromJoint, [jointCount].
@@ -94,20 +99,36 @@ struct Flip {
   float degrees;      ///< from where the joint should have been
 };
 
-/// The part of a clip that is used, and its repairs.
+/// Which axis of a clip points up.
+enum class ClipUp : std::uint8_t { Recognised, X, Y, Z, XDown, YDown, ZDown };
+
+/// `x`, `y`, `z`, `x-down`, `y-down`, `z-down`, also `+Y`, `-Z`, `z-back` ...; any case. Throws
+/// Error with the choices.
+ClipUp clipUpFromText(std::string_view text);
+/// For people: "+Y", "-Z".
+std::string_view clipUpText(ClipUp up);
+
+/// How a clip is understood, the part of it that is used, and its repairs.
 struct MotionSettings {
-  bool dropLeadIn = true;      ///< drop a calibration pose at the start (leadInFrames)
-  std::size_t firstFrame = 0;  ///< of the clip as it comes; > 0 instead of dropLeadIn
-  std::size_t lastFrame = 0;   ///< one past the last; 0: to the end
-  bool removeFlips = true;     ///< joints that jump for a frame or two (hair::removeFlips)
-  FlipSettings flips;          ///< what counts as one
+  float scale = 0;                 ///< metres per unit of a Bvh; 0: recognised by the bones
+  ClipUp up = ClipUp::Recognised;  ///< axis of a Bvh that points up
+  std::string headJoint;           ///< name of the joint that the head turns on; empty: found
+  bool dropLeadIn = true;          ///< drop a calibration pose at the start (leadInFrames)
+  std::size_t firstFrame = 0;      ///< of the clip as it comes; > 0 instead of dropLeadIn
+  std::size_t lastFrame = 0;       ///< one past the last; 0: to the end
+  bool removeFlips = true;         ///< joints that jump for a frame or two (hair::removeFlips)
+  FlipSettings flips;              ///< what counts as one
 };
 
 /// A moving body: a recorded clip, the built-in dance, or a body that stands still.
 class Motion {
  public:
-  /// Throws Error for a clip without frames, or frames that it does not have.
+  /// A clip in metres, +Y up. Throws Error for a clip without frames, or frames that it does not
+  /// have.
   explicit Motion(Clip clip, const MotionSettings& settings = {});
+  /// What a file holds, in whatever unit and axes, which are recognised from the body where the
+  /// settings do not say them: see notes(). Throws Error as clipFromBvh does.
+  explicit Motion(const Bvh& bvh, const MotionSettings& settings = {});
   /// The built-in dance, which loops.
   static Motion dance();
   /// A body that stands still.
@@ -130,13 +151,19 @@ class Motion {
 
   /// Its skeleton, flesh and rest stance, for BodyMesh.
   const Body& body() const { return *body_; }
-  /// What had to be guessed about the body, for the user.
-  std::span<const std::string> notes() const;
   /// The clip that is played: without dropped frames and flips.
   const Clip& clip() const { return clip_; }
   /// Number of frames dropped at the start of the original clip.
   std::size_t droppedFrames() const { return droppedFrames_; }
   const std::vector<Flip>& flips() const { return flips_; }  ///< frames of clip()
+
+  /// "1.72 m tall, 0.01 m per unit, +Y up, head joint Head"; units and axes of a Bvh only.
+  std::string person() const;
+  /// What the user should know, a line each, the most important first: who was recognised, what
+  /// cannot be or was repaired, in sum. Empty for the built-in dance.
+  std::vector<std::string> notes() const;
+  /// Each repair by itself, and how the body was understood.
+  std::vector<std::string> details() const;
 
  private:
   Clip clip_;
@@ -145,6 +172,15 @@ class Motion {
   std::size_t droppedFrames_ = 0;
   float floorHeight_ = 0;
   bool loop_ = false;
+
+  /// Of the file, if it comes from one.
+  struct Source {
+    float scale;                     ///< metres per unit
+    float recognisedScale;           ///< that would make a person of it
+    ClipUp up;                       ///< axis of the file that points up
+    std::vector<std::string> notes;  ///< Bvh::notes
+  };
+  std::optional<Source> source_;
 };
 
 }  // namespace hair

@@ -5,21 +5,9 @@
 
 #include <libhair/core/error.h>
 #include <libhair/core/rotations.h>
-#include <libhair/files/bvh_file.h>
 
 namespace hair {
 namespace {
-
-using Channel = Bvh::Channel;
-
-bool isPosition(Channel c) {
-  return c <= Channel::Zposition;
-}
-
-int axisOf(Channel c) {
-  return static_cast<int>(c) -
-         static_cast<int>(isPosition(c) ? Channel::Xposition : Channel::Xrotation);
-}
 
 void chain(const Skeleton& skeleton, std::span<RigidTransform> worldFromJoint) {
   for (std::size_t j = 0; j < skeleton.jointCount(); ++j) {
@@ -60,71 +48,7 @@ FrameTime frameTimeAt(const Clip& clip, double seconds) {
   return {static_cast<std::size_t>(whole), static_cast<float>(f - whole)};
 }
 
-// Farther away, single precision is too coarse for the lengths of a body.
-constexpr float kFarthest = 1e6f;  // metres
-
-void requireNear(glm::vec3 p, const Bvh::Joint& joint) {
-  for (int axis = 0; axis < 3; ++axis)
-    require(std::abs(p[axis]) <= kFarthest, "clip: joint ", joint.name, " is ", p[axis],
-            " m away from its parent, at most ", kFarthest, " m; check the scale");
-}
-
 }  // namespace
-
-Clip clipFromBvh(const Bvh& bvh, float scale) {
-  require(scale > 0 && std::isfinite(scale), "clip: scale ", scale, " is no length; metres a unit");
-  require(!bvh.joints.empty(), "clip: the skeleton has no joints");
-  require(bvh.frameCount() > 0, "clip: there are no frames");
-  require(bvh.frameTime > 0, "clip: frame time ", bvh.frameTime, " s, must be above 0");
-
-  Clip clip;
-  clip.frameTime = bvh.frameTime;
-  Skeleton& skeleton = clip.skeleton;
-  std::vector<int> jointOf(bvh.joints.size(), -1);  // end sites are tips of joints here
-  std::vector<std::size_t> source;
-  for (std::size_t b = 0; b < bvh.joints.size(); ++b) {
-    const Bvh::Joint& joint = bvh.joints[b];
-    const int parent = joint.parent < 0 ? -1 : jointOf[static_cast<std::size_t>(joint.parent)];
-    requireNear(scale * joint.offset, joint);
-    if (joint.endSite) {
-      if (parent >= 0) skeleton.tips[static_cast<std::size_t>(parent)] = scale * joint.offset;
-      continue;
-    }
-    jointOf[b] = static_cast<int>(skeleton.jointCount());
-    source.push_back(b);
-    skeleton.names.push_back(joint.name);
-    skeleton.parents.push_back(parent);
-    skeleton.offsets.push_back(scale * joint.offset);
-    skeleton.tips.emplace_back(0);
-  }
-
-  clip.rotations.reserve(bvh.frameCount() * source.size());
-  clip.positions.reserve(bvh.frameCount() * source.size());
-  for (std::size_t f = 0; f < bvh.frameCount(); ++f) {
-    const std::span<const float> row = bvh.frame(f);
-    for (std::size_t j = 0; j < source.size(); ++j) {
-      const Bvh::Joint& joint = bvh.joints[source[j]];
-      glm::dquat rotation(1, 0, 0, 0);
-      glm::vec3 position = skeleton.offsets[j];
-      for (std::size_t c = 0; c < joint.channels.size(); ++c) {
-        const float value = row[joint.firstChannel + c];
-        const int axis = axisOf(joint.channels[c]);
-        if (isPosition(joint.channels[c])) {
-          position[axis] = scale * value;
-          requireNear(position, joint);
-        } else {
-          // Channels turn the joint one after another about its own axes: first one outermost.
-          glm::dvec3 direction(0);
-          direction[axis] = 1;
-          rotation = rotation * glm::angleAxis(glm::radians(static_cast<double>(value)), direction);
-        }
-      }
-      clip.rotations.emplace_back(glm::normalize(rotation));
-      clip.positions.push_back(position);
-    }
-  }
-  return clip;
-}
 
 void poseAtFrame(const Clip& clip, std::size_t frame, std::span<RigidTransform> worldFromJoint) {
   for (std::size_t j = 0; j < clip.skeleton.jointCount(); ++j)

@@ -1,6 +1,8 @@
 // Who moves: the built-in dance, recorded clips.
 #include "motion.h"
 
+#include <utility>
+
 #include <libhair/core/error.h>
 #include <libhair/files/bvh_file.h>
 #include <libhair/motion/body_mesh.h>
@@ -13,13 +15,8 @@ namespace hair::python {
 namespace {
 
 std::vector<std::string> notesOf(const Motion& motion) {
-  std::vector<std::string> notes(motion.notes().begin(), motion.notes().end());
-  if (motion.droppedFrames() > 0)
-    notes.push_back(
-        text("dropped ", motion.droppedFrames(), " frames of a calibration pose at the start"));
-  for (const Flip& flip : motion.flips())
-    notes.push_back(text(motion.clip().skeleton.names[flip.joint], " flips by ", flip.degrees,
-                         " degrees at frame ", flip.frame, "; ", flip.frames, " interpolated"));
+  std::vector<std::string> notes = motion.notes();
+  for (std::string& detail : motion.details()) notes.push_back(std::move(detail));
   return notes;
 }
 
@@ -65,30 +62,36 @@ void bindMotion(py::module_& m) {
           "The dancer standing at ease.")
       .def_static(
           "read",
-          [](const std::filesystem::path& path, float scale, bool dropLeadIn, std::size_t first,
-             std::size_t last, bool removeFlips) {
+          [](const std::filesystem::path& path, float scale, const std::string& up,
+             const std::string& headJoint, bool dropLeadIn, std::size_t first, std::size_t last,
+             bool removeFlips) {
             MotionSettings settings;
+            settings.scale = scale;
+            if (!up.empty()) settings.up = clipUpFromText(up);
+            settings.headJoint = headJoint;
             settings.dropLeadIn = dropLeadIn;
             settings.firstFrame = first;
             settings.lastFrame = last;
             settings.removeFlips = removeFlips;
-            return withoutLock([&] {
-              return std::make_shared<Motion>(clipFromBvh(readBvh(path), scale), settings);
-            });
+            return withoutLock([&] { return std::make_shared<Motion>(readBvh(path), settings); });
           },
-          py::arg("path"), py::kw_only(), py::arg("scale") = 0.01f,
-          py::arg("drop_lead_in") = MotionSettings{}.dropLeadIn,
+          py::arg("path"), py::kw_only(), py::arg("scale") = 0.0f, py::arg("up") = "",
+          py::arg("head_joint") = "", py::arg("drop_lead_in") = MotionSettings{}.dropLeadIn,
           py::arg("first_frame") = MotionSettings{}.firstFrame,
           py::arg("last_frame") = MotionSettings{}.lastFrame,
           py::arg("remove_flips") = MotionSettings{}.removeFlips,
           R"(A recorded clip (.bvh). Error names file, line and cause.
 
-scale: metres per unit of the file. drop_lead_in: drop a calibration pose at the start.
+scale: metres per unit of the file; 0: what makes a person of it. up: its axis that points up, as
+hair --motion-up takes it; "": along which the body stands. head_joint: name of the joint that the
+head turns on; "": found. notes says what was taken. drop_lead_in: drop a calibration pose at the start.
 first_frame, last_frame: of the clip, one past the last; 0: to the end.)")
       .def_property_readonly("duration", &Motion::duration, "Seconds; 0: it never moves.")
       .def_property_readonly("is_loop", &Motion::isLoop, "Whether it goes round.")
       .def_property_readonly("floor_height", &Motion::floorHeight, "Of the floor, metres.")
-      .def_property_readonly("notes", &notesOf, "What was dropped, repaired or guessed: strings.")
+      .def_property_readonly(
+          "notes", &notesOf,
+          "Who was recognised, what was repaired: strings, the most important first.")
       .def_property_readonly(
           "joint_names", [](const Motion& motion) { return motion.clip().skeleton.names; },
           "Of Pose.joints.")

@@ -41,7 +41,8 @@ void promiseSubject(const CharacterOptions& character) {
   promise(character.strands <= 10'000'000, "--strands");
   promise(character.points != 1 && character.points <= 4096, "--points");
   promise(character.guides >= 1 && character.guides <= 1'000'000, "--guides");
-  promiseWithin(character.motionScale, 0.9e-9f, 1.1e9f, "--motion-scale");
+  if (character.clip.scale != 0)  // 0: recognised
+    promiseWithin(character.clip.scale, 0.9e-9f, 1.1e9f, "--motion-scale");
   promiseWithin(character.style, Style::Smooth, Style::Long, "--style");
 }
 

@@ -235,7 +235,8 @@ std::vector<std::string> optionSeeds() {
   static const std::string kSubject =
       " --hair a.tfx --head a.obj --head b.obj --scale 0.01 --up z-back --head-scale 0.1 --head-up "
       "x --prim a/b --points-per-strand 12 --strands 99 --points 9 "
-      "--motion a.bvh --motion-scale 0.02 --guides 50";
+      "--motion a.bvh --motion-scale 0.02 --motion-up z "
+      "--head-joint Head --guides 50";
   static const std::string kPerformance =
       " --fps 30 --threads 2 --cells 64 --light 0,-1,0 --point 1,2,3,0.5,0.5,1 --light "
       "1,0,0,1,0,0 --wind -1,0,2 --no-shadow --no-self-collision --settle 0.5 --solver relaxation "

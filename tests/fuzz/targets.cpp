@@ -179,14 +179,15 @@ bool fuzzClip(std::string_view bytes) {
   };
   try {
     const Bvh bvh = parseBvh(bytes, "fuzz");
-    const Motion motion(clipFromBvh(bvh));
-    for (const double part : {0.0, 0.4, 1.0}) {
-      const BodyPose pose = motion.pose(part * motion.duration());
-      promiseFrame(pose.worldFromHead);
-      for (const RigidTransform& joint : pose.worldFromJoint) promiseFrame(joint);
-      for (const Capsule& c : pose.capsules)
-        promise(finite(c.a) && finite(c.b) && c.radius >= 0, "capsules have a size");
-    }
+    // In centimetres, and in the unit and axes that are recognised.
+    for (const Motion& motion : {Motion(clipFromBvh(bvh)), Motion(bvh)})
+      for (const double part : {0.0, 0.4, 1.0}) {
+        const BodyPose pose = motion.pose(part * motion.duration());
+        promiseFrame(pose.worldFromHead);
+        for (const RigidTransform& joint : pose.worldFromJoint) promiseFrame(joint);
+        for (const Capsule& c : pose.capsules)
+          promise(finite(c.a) && finite(c.b) && c.radius >= 0, "capsules have a size");
+      }
     return true;
   } catch (const Error&) {
     return false;

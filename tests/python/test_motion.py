@@ -52,12 +52,18 @@ class Motions(unittest.TestCase):
             path = pathlib.Path(folder) / "a.bvh"
             path.write_text(BVH)
             clip = libhair.Motion.read(path)
+            larger = libhair.Motion.read(path, scale=0.02, up="z", head_joint="head")
+            with self.assertRaisesRegex(libhair.Error, "no joint is called Helm"):
+                libhair.Motion.read(path, head_joint="Helm")
+            with self.assertRaisesRegex(libhair.Error, "no axis"):
+                libhair.Motion.read(path, up="w")
             path.write_text(BVH.replace("Frames: 3", "Frames: x"))
             with self.assertRaisesRegex(libhair.Error, r"a\.bvh"):
                 libhair.Motion.read(path)
         self.assertEqual(clip.duration, 1)
         numpy.testing.assert_allclose(clip.pose(1).joints[0], [0.2, 1, 0], atol=1e-6)
-        self.assertTrue(clip.notes)
+        self.assertIn("0.01 m per unit, +Y up, head joint Head", clip.notes[0])
+        numpy.testing.assert_allclose(larger.pose(1).joints[0], [0.4, 0, -2], atol=1e-6)
 
     def test_a_pose_is_made_by_hand(self):
         pose = libhair.Pose(libhair.Transform(translation=(0, 1, 0)), [[0, 0, 0, 0, 1, 0, 0.1]])
