@@ -73,7 +73,7 @@ class Files(unittest.TestCase):
             libhair.read_strands(self.folder / "no.hair")
         with self.assertRaisesRegex(libhair.Error, "unknown format"):
             libhair.read_strands(self.folder / "no.such")
-        with self.assertRaisesRegex(ValueError, "'north' is none of 'file', 'y'"):
+        with self.assertRaisesRegex(ValueError, "'north' is none of: file, y"):
             libhair.read_strands(MODELS / "smooth.hair", up="north")
         with self.assertRaises(TypeError):
             libhair.read_strands(3)

@@ -73,7 +73,7 @@ class Settings(unittest.TestCase):
     def test_what_is_no_field_or_value_is_refused(self):
         with self.assertRaisesRegex(TypeError, "no field 'gravty'; there are linear_density, "):
             libhair.GuideSettings(gravty=(0, 0, 0))
-        with self.assertRaisesRegex(ValueError, "'fine' is none of 'none', 'paper'"):
+        with self.assertRaisesRegex(ValueError, "'fine' is none of: none, paper"):
             libhair.DensityMapSettings(filter="fine")
         with self.assertRaises(TypeError):
             libhair.GuideSettings(gravity=(0, 0))
