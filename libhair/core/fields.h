@@ -199,8 +199,9 @@ void validateFields(const S& settings, std::string_view what) {
       require(field.range.holds(value), what, ": ", field.name, " = ", value, " is not in ",
               field.range.text());
     } else if constexpr (HasWords<M>) {
-      require(!wordOf(value).empty(), what, ": ", field.name, " = ", static_cast<long long>(value),
-              " is none of ", allWords<M>());
+      if (wordOf(value).empty())
+        throw Error(text(what, ": ", field.name, " = ", static_cast<long long>(value),
+                         " is none of ", allWords<M>()));
     } else if constexpr (requires { validate(value); }) {
       validate(value);
     }

@@ -1,17 +1,10 @@
-// Units and axes of files: parses and prints them, and converts to the library's.
-#include <libhair/files/file_units.h>
-
-#include <array>
-#include <utility>
-
+// Units and axes of files: converts to the library's and back.
 #include <libhair/core/error.h>
-#include <libhair/files/number_text.h>
+#include <libhair/files/strand_file.h>
 
 namespace hair {
 
 namespace {
-
-constexpr std::string_view kStart = "libhair: ", kMetres = "metres, ", kUnits = " m a unit, ";
 
 // Rows: the library's x, y, z as combinations of the file's. Entries 0, 1, -1: exact in floats.
 glm::mat3 libraryFromFile(UpAxis up) {
@@ -68,41 +61,6 @@ void convertUnits(std::span<glm::vec3> points, float scale, UpAxis up) {
 void convertUnitsBack(std::span<glm::vec3> points, float scale, UpAxis up) {
   const glm::mat3 rotation = glm::transpose(libraryFromFile(up));
   for (glm::vec3& p : points) p = rotation * (p / scale);
-}
-
-std::string unitsText(float scale, UpAxis up) {
-  std::string words(kStart);
-  if (scale == 1) {
-    words += kMetres;
-  } else {
-    char digits[32];
-    words.append(digits, std::to_chars(digits, digits + sizeof digits, scale).ptr);
-    words += kUnits;
-  }
-  return words += upAxisMeaning(up);
-}
-
-bool unitsFromText(std::string_view words, float& scale, UpAxis& up) {
-  if (!words.starts_with(kStart)) return false;
-  words.remove_prefix(kStart.size());
-  float stated = 1;
-  if (words.starts_with(kMetres)) {
-    words.remove_prefix(kMetres.size());
-  } else {
-    const std::size_t end = words.find(kUnits);
-    if (end == std::string_view::npos) return false;
-    const std::optional<float> number = floatFromText(words.substr(0, end));
-    if (!number || !(*number > 0)) return false;
-    stated = *number;
-    words.remove_prefix(end + kUnits.size());
-  }
-  for (const auto& axis : wordsOf(UpAxis{})) {
-    if (axis.value == UpAxis::AsFile || !words.starts_with(upAxisMeaning(axis.value))) continue;
-    scale = stated;
-    up = axis.value;
-    return true;
-  }
-  return false;
 }
 
 }  // namespace hair

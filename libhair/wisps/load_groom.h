@@ -14,7 +14,7 @@ namespace HAIR_API hair {
 
 /// Hair of a file, and the head under it.
 struct LoadedGroom {
-  Groom groom;
+  Groom groom;                     ///< bound to guides
   LoadedHead head;                 ///< the given one, or the built-in one scaled under the roots
   std::vector<std::string> notes;  ///< what was assumed, dropped or repaired; head.notes too
 };

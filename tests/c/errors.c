@@ -97,7 +97,7 @@ static void numbers_out_of_range_are_refused(void) {
   BAD(link_solver, 2, "link_solver");
   BAD(shadow, 2, "shadow");
   BAD(map_cells, 1, "cells");
-  BAD(map_cell_size, -1, "cell size");
+  BAD(map_cell_size, -1, "cellSize");
   BAD(wind[0], 1e9f, "wind");
   BAD(repulsion_interval, 0, "interval");
   BAD(ambient, NAN, "ambient");

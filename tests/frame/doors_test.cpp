@@ -57,7 +57,7 @@ TEST(FrameDoors, WhatIsNoNumberIsRefusedByName) {
   named("guide 0 link 0", [](F& f) -> float& { return f.groom.guidePoints[0].x; });
   named("fibre width", [](F& f) -> float& { return f.groom.fibre.width; });
   named("clearance", [](F& f) -> float& { return f.wisps.clearance; });
-  named("cell size", [](F& f) -> float& { return f.settings.map.cellSize; });
+  named("density map: cellSize", [](F& f) -> float& { return f.settings.map.cellSize; });
   named("repulsion settings: cellSize",
         [](F& f) -> float& { return f.settings.repulsion.cellSize; });
   named("limit", [](F& f) -> float& { return f.settings.repulsion.limit; });
@@ -75,7 +75,7 @@ TEST(FrameDoors, CellsTooSmallForFloatsAreRefused) {
   for (const float size : {0.0f, 1e-42f, 1e-20f, 1e20f}) {
     Frame frame;
     frame.settings.map.cellSize = size;
-    EXPECT_NE(frame.refusal().find("cell size"), std::string::npos) << size;
+    EXPECT_NE(frame.refusal().find("cellSize"), std::string::npos) << size;
   }
 }
 

@@ -106,7 +106,7 @@ TEST(Settings, OutOfRangeThrowAndNameTheKnob) {
   EXPECT_NE(told(settings).find("footprint"), std::string::npos);
   settings = {};
   settings.pointExtinction = -1;
-  EXPECT_NE(told(settings).find("point extinction"), std::string::npos);
+  EXPECT_NE(told(settings).find("pointExtinction"), std::string::npos);
   DensityMap unready;
   EXPECT_THROW(deposit(headOfHair(2, 3), {}, unready), Error);
 }

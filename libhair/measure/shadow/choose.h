@@ -71,7 +71,7 @@ constexpr auto fieldsOf(const PilotSettings*) {
   return std::tuple(Field("points", &S::points, "[8, inf)"),
                     Field("leastRays", &S::leastRays, "[8, inf)"),
                     Field("mostRays", &S::mostRays, "[8, inf)"),
-                    Field("noise", &S::noise, "(0, inf)"), Field("seed", &S::seed));
+                    Field("noise", &S::noise, "[0, inf)"), Field("seed", &S::seed));
 }
 
 /// Expected mean absolute error of transmittance at the points of the hair, and the standard error
