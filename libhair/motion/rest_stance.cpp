@@ -49,7 +49,7 @@ using Direction = std::function<glm::vec3(Pose)>;
 class StanceOfRig {
  public:
   StanceOfRig(const Clip& clip, Body& body)
-      : clip_(clip), body_(body), skeleton_(body.skeleton), map_(body.map) {
+      : body_(body), skeleton_(body.skeleton), map_(body.map) {
     turn_.assign(skeleton_.jointCount(), glm::quat(1, 0, 0, 0));
     known_.assign(skeleton_.jointCount(), false);
     // About 200 poses are enough for means.
@@ -300,7 +300,6 @@ class StanceOfRig {
     }
   }
 
-  const Clip& clip_;
   Body& body_;
   const Skeleton& skeleton_;
   const BodyMap& map_;
