@@ -100,7 +100,15 @@ struct Flip {
 };
 
 /// Which axis of a clip points up.
-enum class ClipUp : std::uint8_t { Recognised, X, Y, Z, XDown, YDown, ZDown };
+enum class ClipUp : std::uint8_t {
+  Recognised,  ///< by how the body stands
+  X,           ///< +X
+  Y,           ///< +Y
+  Z,           ///< +Z
+  XDown,       ///< -X
+  YDown,       ///< -Y
+  ZDown,       ///< -Z
+};
 
 /// `x`, `y`, `z`, `x-down`, `y-down`, `z-down`, also `+Y`, `-Z`, `z-back` ...; any case. Throws
 /// Error with the choices.
