@@ -133,8 +133,9 @@ class Reader {
     } else if (word == "Transform" || word == "ConcatTransform") {
       const auto v = numbers<16>(word);
       glm::dmat4 m;  // column by column
+      std::size_t next = 0;
       for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r) m[c][r] = v[static_cast<std::size_t>(4 * c + r)];
+        for (int r = 0; r < 4; ++r) m[c][r] = v[next++];
       now_ = word == "Transform" ? m : now_ * m;
     }
   }
