@@ -66,8 +66,9 @@ glm::dmat4 operation(UsdaScanner& in, const UsdaLayer::Attribute& attribute, std
   if (kind == "transform") {
     const Numbers n = numbers(16);
     glm::dmat4 m;  // rows of the file, which multiplies from the left, are columns here
+    std::size_t next = 0;
     for (int r = 0; r < 4; ++r)
-      for (int c = 0; c < 4; ++c) m[r][c] = n[static_cast<std::size_t>(4 * r + c)];
+      for (int c = 0; c < 4; ++c) m[r][c] = n[next++];
     return m;
   }
   if (kind == "orient") return orientation(in, attribute, time);
