@@ -66,7 +66,11 @@ CLI::Validator wordIn() {
 
 // Checks a number against the range of a setting.
 auto inside(const Range& range) {
-  return within(range.least(), range.most());
+  return [range](const std::string& word) -> std::string {
+    return range.holds(std::strtod(word.c_str(), nullptr))
+               ? ""
+               : text(word, " is not in ", range.text());
+  };
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ class Range {
     each_ = rest.find("each") != std::string_view::npos;
   }
 
-  /// Whether x is in it. Of a float the ends are rounded to floats. Never NaN.
+  /// Whether x is in it. For a float, the ends are rounded to floats. NaN is in no interval.
   template <class T>
   constexpr bool holds(T x) const {
     using Number = std::conditional_t<std::is_integral_v<T>, double, T>;
@@ -154,14 +154,17 @@ constexpr void forFields(Visit&& visit) {
              fieldsOf(static_cast<const S*>(nullptr)));
 }
 
-/// The range of one field, by its member: rangeOf(&GuideSettings::iterations).
+/// The range of one field, by its member: rangeOf(&GuideSettings::iterations). Ill-formed for a
+/// member that is in no table.
 template <class S, class M>
-constexpr Range rangeOf(M S::* member) {
+consteval Range rangeOf(M S::* member) {
   Range range;
+  bool found = false;
   forFields<S>([&](const auto& field) {
     if constexpr (std::is_same_v<decltype(field.member), M S::*>)
-      if (field.member == member) range = field.range;
+      if (field.member == member) range = field.range, found = true;
   });
+  if (!found) throw "no such field";
   return range;
 }
 

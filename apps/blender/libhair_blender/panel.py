@@ -11,12 +11,16 @@ class _Tab:
     bl_category = "Hair"
 
 
-class LIBHAIR_PT_simulation(_Tab, bpy.types.Panel):
-    bl_label = "Simulation"
+class _HairTab(_Tab):
+    """Panels of a hair object."""
 
     @classmethod
     def poll(cls, context):
         return curves.is_hair(context.object)
+
+
+class LIBHAIR_PT_simulation(_HairTab, bpy.types.Panel):
+    bl_label = "Simulation"
 
     def draw(self, context):
         hair = context.object
@@ -53,12 +57,8 @@ class LIBHAIR_PT_simulation(_Tab, bpy.types.Panel):
                 layout.label(text=str(error), icon="ERROR")
 
 
-class LIBHAIR_PT_shadow(_Tab, bpy.types.Panel):
+class LIBHAIR_PT_shadow(_HairTab, bpy.types.Panel):
     bl_label = "Shadow"
-
-    @classmethod
-    def poll(cls, context):
-        return curves.is_hair(context.object)
 
     def draw(self, context):
         ours = context.object.libhair
@@ -77,13 +77,9 @@ class LIBHAIR_PT_shadow(_Tab, bpy.types.Panel):
         layout.operator("libhair.shadow", icon="LIGHT_SUN")
 
 
-class LIBHAIR_PT_insides(_Tab, bpy.types.Panel):
+class LIBHAIR_PT_insides(_HairTab, bpy.types.Panel):
     bl_label = "Inside"
     bl_options = {"DEFAULT_CLOSED"}
-
-    @classmethod
-    def poll(cls, context):
-        return curves.is_hair(context.object)
 
     def draw(self, context):
         hair = context.object
